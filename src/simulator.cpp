@@ -26,12 +26,12 @@ const Scenario& Simulator::scenario() const {
   return state_->scenario;
 }
 std::span<const std::string> Simulator::too_many_thin_parts() const {
-  const std::shared_ptr<const ThinParts>& parts = state_->thin_parts;
+  const std::shared_ptr<const ThinParts>& parts = state_->targets.thin_parts;
   return parts ? std::span<const std::string>(parts->left_out) : std::span<const std::string>();
 }
 
 std::size_t Simulator::edges_left_out() const {
-  return state_->straight_edges ? state_->straight_edges->left_out : 0;
+  return state_->targets.edges ? state_->targets.edges->left_out : 0;
 }
 
 const Scene& Simulator::scene() const {
@@ -41,17 +41,16 @@ const SonarConfig& Simulator::sonar(int sonar) const {
   return state_->sonar(sonar).config;
 }
 Engine& Simulator::engine() {
-  state_->take_in_scene();
+  state_->load_scene();
   return *state_->engine;
 }
 
 void Simulator::stop_when(const std::atomic<bool>* asked) {
-  state_->stop_asked = asked;
-  state_->engine->stop_when(asked);
+  state_->workers.stop_when(asked);
 }
 
 RayCounts Simulator::ray_counts() const {
-  return state_->engine->ray_counts();
+  return state_->ray_counts;
 }
 
 EngineMemory Simulator::engine_memory() const {
@@ -59,9 +58,9 @@ EngineMemory Simulator::engine_memory() const {
 }
 
 std::vector<double> Simulator::time_traversal(int index, const Pose& world_from_sonar, int repetitions) {
-  state_->take_in_scene();
-  const PingPlan& plan = *state_->sonar(index).plan;
-  std::vector<double> seconds = state_->engine->time_traversal(plan, world_from_sonar, repetitions);
+  state_->load_scene();
+  const PingView view{.plan = state_->sonar(index).plan.get(), .world_from_sonar = world_from_sonar};
+  std::vector<double> seconds = state_->engine->time_traversal(view, repetitions);
   if (seconds.empty()) {
     throw Error(fmt::format("engine \"{}\" traces its rays itself: there is no bare traversal to time",
                             state_->scenario.engine));
@@ -83,14 +82,16 @@ Scene Simulator::scene_at(const PingRequest& request) {
 }
 
 void Simulator::place(int sonar, const PingRequest& request) {
-  state_->place(state_->sonar(sonar), request);
+  state_->place(sonar, request);
 }
 
-void Simulator::ping(int index, const PingRequest& request, Ping& ping) {
-  State& state = *state_;
-  SimulatedSonar& sonar = state.sonar(index);
-  state.place(sonar, request);
-  state.make(request, sonar, state.parts(), ping);
+void Simulator::ping(std::span<const PingOrder> orders) {
+  state_->make(orders);
+}
+
+void Simulator::ping(int sonar, const PingRequest& request, Ping& made) {
+  const PingOrder order{sonar, &request, &made};
+  ping({&order, 1});
 }
 
 Ping Simulator::ping(int sonar, const PingRequest& request) {
@@ -104,14 +105,11 @@ void Simulator::ping(int sonar, std::span<const PingRequest> requests, std::span
     throw Error(fmt::format("{} requests must have as many pings to fill, not {}", requests.size(), pings.size()));
   }
   (void)state_->sonar(sonar);
+  std::vector<PingOrder> orders(requests.size());
   for (std::size_t i = 0; i < requests.size(); ++i) {
-    ping(sonar, requests[i], pings[i]);
-    if (i == 0) {
-      const std::size_t together = state_->count_together(sonar, requests);
-      state_->make_together(sonar, requests.subspan(1, together), pings.subspan(1, together));
-      i += together;
-    }
+    orders[i] = {sonar, &requests[i], &pings[i]};
   }
+  ping(orders);
 }
 
 Ping Simulator::make_ping(int sonar, std::uint64_t number) {

@@ -25,9 +25,10 @@ ROOMS = {
         "model": ["grid"],
         "rays": ["grid", "model"],
         "mirror": ["grid", "model"],
-        "targets": ["grid", "model", "mirror", "."],
-        "walks": ["grid", "model", "."],
-        "*": ["grid", "model", "rays", "mirror", "."],  # Engines, each a room.
+        "batch": ["grid", "model", "."],
+        "targets": ["grid", "model", "mirror", "batch", "."],
+        "walks": ["grid", "model", "batch"],
+        "*": ["grid", "model", "rays", "mirror", "batch", "."],  # Engines, each a room.
     },
     "receiver": {
         "array": ["."],

@@ -21,6 +21,13 @@ namespace insonify {
 
 struct SimulatedSonar;
 
+/// One ping of a batch.
+struct PingOrder {
+  int sonar = 0;                         ///< Index of the sonar that makes it.
+  const PingRequest* request = nullptr;  ///< What it is made from.
+  Ping* ping = nullptr;                  ///< Receives it. Two orders must not share a ping.
+};
+
 /// An object that ping requests may move.
 struct MovableObject {
   std::string name;                            ///< Scoped name of a model, link or visual; its parts move with it.
@@ -87,10 +94,14 @@ class Simulator {
   void ping(int sonar, const PingRequest& request, Ping& ping);
   [[nodiscard]] Ping ping(int sonar, const PingRequest& request);
 
-  /// Makes many pings of one sonar; pings[i] is the ping of requests[i], the same as if made alone. If only the sonar
-  /// moves and there is no sea surface, each thread makes pings of its own instead of sharing one, which takes the
-  /// memory of one more ping per thread.
-  /// @throws Error as above, after making the pings before the failing one; and if the spans differ in length.
+  /// Makes many pings as one batch: of several sonars, from several poses, with objects moved. Each is the same as if
+  /// made alone. A batch takes less time, since each thread makes pings of its own, and the memory of up to four pings
+  /// per thread. Pings with different moved objects are computed one after another.
+  /// @throws Error as above, after making the pings before the failing one.
+  void ping(std::span<const PingOrder> orders);
+
+  /// The same for one sonar; pings[i] is the ping of requests[i].
+  /// @throws Error also if the spans differ in length.
   void ping(int sonar, std::span<const PingRequest> requests, std::span<Ping> pings);
 
   /// While `*asked` is true, ping() throws Interrupted; a running ping stops within the time of a few beams. Lets

@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 
+#include <fmt/format.h>
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "insonify/error.h"
 #include "insonify/interrupted.h"
 
 namespace insonify {
@@ -26,8 +28,16 @@ struct Workers::Arena {
 
 Workers::Workers(int threads)
     : count_(threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))) {
-  arena_ = std::make_unique<Arena>(count_);
+  if (threads < 0 || threads > kMost) {
+    throw Error(fmt::format("threads = {} must be from 0 to {}", threads, kMost));
+  }
+  if (count_ > 1) {
+    arena_ = std::make_unique<Arena>(count_);
+    alone_.reset(new Workers(this));
+  }
 }
+
+Workers::Workers(const Workers* many) : count_(1), many_(many) {}
 
 Workers::~Workers() = default;
 

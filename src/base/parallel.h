@@ -12,11 +12,18 @@ namespace insonify {
 /// number of workers. Running tasks allocates nothing once the threads have been started.
 class Workers {
  public:
-  /// @param threads  >= 1, or 0 for as many as there are processors.
+  static constexpr int kMost = 1024;
+
+  /// @param threads  1 to kMost, or 0 for as many as there are processors.
+  /// @throws Error for another number.
   explicit Workers(int threads);
   ~Workers();
 
   [[nodiscard]] int count() const { return count_; }
+
+  /// One worker: the calling thread. It stops when this object does. For the steps of a task that itself runs in
+  /// for_each().
+  [[nodiscard]] Workers& alone() { return alone_ ? *alone_ : *this; }
 
   /// While `*asked` is true, for_each() throws Interrupted, also one that is running, before its next task. Null:
   /// never.
@@ -25,7 +32,8 @@ class Workers {
   /// For tasks that take long: the same between two parts of a task.
   /// @throws Interrupted
   void check_stop() const {
-    if (stop_asked_ != nullptr && stop_asked_->load(std::memory_order_relaxed)) {
+    const std::atomic<bool>* asked = many_ != nullptr ? many_->stop_asked_ : stop_asked_;
+    if (asked != nullptr && asked->load(std::memory_order_relaxed)) {
       throw_interrupted();
     }
   }
@@ -49,8 +57,12 @@ class Workers {
   [[noreturn]] static void throw_interrupted();
 
   struct Arena;
-  std::unique_ptr<Arena> arena_;
+  explicit Workers(const Workers* many);
+
+  std::unique_ptr<Arena> arena_;  // Null for one thread.
   int count_;
+  std::unique_ptr<Workers> alone_;  // See alone(); null for one thread.
+  const Workers* many_ = nullptr;   // Of alone_: the workers it stops with.
   const std::atomic<bool>* stop_asked_ = nullptr;
 };
 

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cassert>
 
 #include "echo/cpu/cpu_engine.h"
 #include "echo/engine.h"
@@ -14,41 +13,39 @@
 namespace insonify {
 namespace {
 
-constexpr const EngineKind* kKinds[] = {&CpuEngine::kKind, &ReferenceEngine::kKind};
+// Fastest first.
+std::vector<const EngineKind*>& kinds() {
+  static std::vector<const EngineKind*> list = {&CpuEngine::kKind, &ReferenceEngine::kKind};
+  return list;
+}
 
 }  // namespace
 
 std::vector<std::string_view> engine_names() {
   std::vector<std::string_view> names;
-  for (const EngineKind* kind : kKinds) {
+  for (const EngineKind* kind : kinds()) {
     names.push_back(kind->name);
   }
   return names;
 }
 
 const EngineKind& engine_kind(std::string_view name) {
-  const auto* const found = std::ranges::find(kKinds, name, [](const EngineKind* kind) { return kind->name; });
-  if (found == std::end(kKinds)) {
+  const auto found = std::ranges::find(kinds(), name, [](const EngineKind* kind) { return kind->name; });
+  if (found == kinds().end()) {
     throw Error(fmt::format("engine \"{}\" is unknown; there are {}", name, fmt::join(engine_names(), ", ")));
   }
   return **found;
 }
 
-std::unique_ptr<Engine> make_engine(std::string_view name, int threads) {
-  if (threads < 0 || threads > 1024) {
-    throw Error(fmt::format("threads = {} must be from 0 to 1024", threads));
-  }
-  return engine_kind(name).make(threads);
+void add_engine_kind(const EngineKind& kind) {
+  kinds().push_back(&kind);
 }
 
-void Engine::insonify_all(const PingPlan& plan, std::span<const Pose> poses, std::span<EchoGrid> grids) {
-  assert(poses.size() == grids.size());
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    insonify(plan, poses[i], grids[i]);
-  }
+std::unique_ptr<Engine> make_engine(std::string_view name, Workers& workers) {
+  return engine_kind(name).make(workers);
 }
 
-std::vector<double> Engine::time_traversal(const PingPlan&, const Pose&, int) {
+std::vector<double> Engine::time_traversal(const PingView&, int) {
   return {};
 }
 

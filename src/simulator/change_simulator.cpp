@@ -14,7 +14,7 @@ PreparedSonar& PreparedSonar::operator=(PreparedSonar&&) noexcept = default;
 
 void Simulator::State::set(int index, SimulatedSonar sonar, const Scenario& changed) {
   sonars[index] = std::move(sonar);
-  lanes.clear();
+  runner.emplace(*engine, workers);  // Its grids have the shape of the earlier sonar.
   scenario.sonars[index] = changed.sonars[index];
   set_senders();
   if (sea && sea->fit(changed, scene)) {
@@ -73,7 +73,6 @@ int Simulator::add_objects(const Scene& objects, std::span<const MovableObject> 
     scene.materials.resize(materials);
     throw;
   }
-  state.lanes.clear();
   if (scene.materials.size() > materials) {  // Plans and receivers have tables of all materials.
     for (std::size_t i = 0; i < state.sonars.size(); ++i) {
       state.sonars[i] = state.simulated(state.scenario, state.scenario.sonars[i]);

@@ -1,109 +1,169 @@
-// make_pings.cpp -- makes one ping, stage by stage, or many pings on all threads.
+// make_pings.cpp -- makes pings from requests, in batches as large as the engine takes.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
 
 #include "insonify/error.h"
 #include "receiver/paper_receiver.h"
-#include "simulator/find_thrusters.h"
+#include "simulator/echo_sources.h"
 #include "simulator/simulator_state.h"
 
 namespace insonify {
+namespace {
 
-void Simulator::State::make(const PingRequest& request, SimulatedSonar& sonar, const Parts& parts, Ping& ping) {
-  // Poses of vehicle, sonar and head.
-  ping.number = request.number;
-  ping.time = request.time;
-  ping.head_angle = sonar.head_angle(request);
-  ping.world_from_sonar = request.world_from_vehicle * sonar.vehicle_from_housing;
-  const Pose head = housing_from_head(ping.head_angle), world_from_sonar = ping.world_from_sonar * head;
+// Requests that are checked and placed before the first of them is made.
+constexpr std::size_t kAtOnce = 256;
 
-  // Echoes sorted by beam and range, then the receiver.
-  EchoGrid& grid = sonar.grid;
-  const PingPlan& plan = *sonar.plan;
-  if (scenario.model == EchoModel::kCalibrated) {
-    parts.engine.insonify(plan, world_from_sonar, grid);
-    parts.thin.add(plan, world_from_sonar, poses, parts.engine, grid);
-    if (sonar.walks) {
-      sonar.walks->add(plan, world_from_sonar, request.number,
-                       {.corners = parts.corners.act(plan), .water = sea ? sea->label() : kNoSurface}, parts.engine,
-                       grid);
-    }
-    grid.discrete_echoes().clear();
-    parts.corners.add(plan, world_from_sonar, poses, parts.engine, grid);
-    parts.points.add(plan, world_from_sonar, parts.engine, grid);
-    parts.glints.add(plan, world_from_sonar, poses, parts.engine, grid);
-    parts.edges.add(plan, world_from_sonar, poses, parts.glints.shown(), parts.engine, grid);
-    parts.ghosts.add(plan, world_from_sonar, request.number, scenario.receiver_of(sonar.config).speckle, parts.engine,
-                     grid);
-    const ReceiverConfig receiver = scenario.receiver_of(sonar.config);
-    parts.interference.add(plan, world_from_sonar, request.time, receiver.azimuth_pattern != BeamPattern::kTopHat,
-                           parts.engine, grid);
-    if (!senders.empty()) {
-      add_mutual_interference(senders, sonar, receiver, request, world_from_sonar, parts.engine, grid);
-    }
-    if (!scenario.thrusters.empty()) {
-      find_thrusters(scenario.thrusters, sonar.vehicle_from_housing * head, request.world_from_vehicle, parts.engine,
-                     sonar.thrusters);
-    }
-    const PingMotion motion = scenario.motion_in_ping
-                                  ? sonar.motion_while_listening(request, sonar.vehicle_from_housing * head)
-                                  : PingMotion{};
-    sonar.receiver->receive(grid, objects.displaced(), world_from_sonar, motion, sonar.thrusters,
-                            parts.engine.workers(), ping);
-  } else {
-    PaperReceiver receiver(
-        grid, sonar.config,
-        {.model = scenario.paper, .noise = scenario.receiver_of(sonar.config).noise, .seed = scenario.seed}, ping);
-    parts.engine.insonify(plan, world_from_sonar, grid);
-    receiver.receive(parts.engine.workers());
-  }
+// Where a request has the sonar.
+PingView view_of(const SimulatedSonar& sonar, const PingRequest& request, const Placement& placement) {
+  const Pose head = housing_from_head(sonar.head_angle(request));
+  return {.plan = sonar.plan.get(),
+          .world_from_sonar = request.world_from_vehicle * sonar.vehicle_from_housing * head,
+          .placement = &placement,
+          .layers = sonar.layers,
+          .number = request.number,
+          .time = request.time,
+          .world_from_vehicle = request.world_from_vehicle,
+          .vehicle_from_sonar = sonar.vehicle_from_housing * head};
 }
 
-std::size_t Simulator::State::count_together(int index, std::span<const PingRequest> requests) const {
-  const std::size_t threads = engine->workers().count();
-  // Where there are few, a thread that waits for the last of them would cost more than is gained.
-  constexpr std::size_t kFewest = 2;
-  if (threads < 2 || requests.size() <= kFewest * threads || sea) {  // The sea's plane goes with the sonar.
-    return 0;
-  }
-  const SimulatedSonar& sonar = sonars[index];
-  std::size_t count = 0;
-  try {
-    while (count + 2 < requests.size() && requests[count].moved.empty() && requests[count + 1].moved.empty()) {
-      requests[count + 1].validate();
-      sonar.check(requests[count + 1], scenario.motion_in_ping);
-      ++count;
+// Positions of the thrusters, which one source has found.
+std::span<const std::optional<Vec3>> thrusters_in(const SourceSet& sources) {
+  for (const AskingSource& source : sources) {
+    if (!source.found.thrusters.empty()) {
+      return source.found.thrusters;
     }
-  } catch (const Error&) {  // ping() will throw it again, after the pings before it.
   }
-  return count / threads * threads;
+  return {};
 }
 
-void Simulator::State::make_together(int index, std::span<const PingRequest> requests, std::span<Ping> pings) {
-  if (requests.empty()) {
-    return;
-  }
-  Workers& workers = engine->workers();
-  lanes.resize(sonars.size());
-  std::vector<std::unique_ptr<Lane>>& own = lanes[index];
-  while (own.size() < static_cast<std::size_t>(workers.count())) {
-    std::unique_ptr<Engine> sharing = engine->share_scene();
-    if (sharing == nullptr) {  // An engine that cannot.
-      for (std::size_t i = 0; i < requests.size(); ++i) {
-        make(requests[i], sonars[index], parts(), pings[i]);
-      }
+}  // namespace
+
+// Passes each view's echoes through the receiver of its sonar.
+class Simulator::State::Receiver final : public EchoReceiver {
+ public:
+  /// @param first  The first view of the batch in State::views_.
+  Receiver(State& state, std::span<const PingOrder> orders, std::size_t first)
+      : state_(state), orders_(orders), first_(first) {}
+
+  void receive(std::size_t view, const EchoGrid& grid, Workers& workers, int worker) override {
+    const PingOrder& order = orders_[view];
+    const SimulatedSonar& sonar = state_.sonars[order.sonar];
+    const PingView& from = state_.views_[first_ + view];
+    const Scenario& scenario = state_.scenario;
+    Ping& ping = *order.ping;
+    ping.number = order.request->number;
+    ping.time = order.request->time;
+    ping.head_angle = sonar.head_angle(*order.request);
+    ping.world_from_sonar = order.request->world_from_vehicle * sonar.vehicle_from_housing;
+    if (scenario.model == EchoModel::kPaper) {
+      PaperReceiver(grid, sonar.config,
+                    {.model = scenario.paper, .noise = scenario.receiver_of(sonar.config).noise, .seed = scenario.seed},
+                    ping)
+          .receive(workers);
       return;
     }
-    own.push_back(std::unique_ptr<Lane>(
-        new Lane{std::move(sharing), PointEchoes(scenario.points), Interference(scenario.interferers),
-                 ThinEchoes(thin_parts), FaceGlints(glinting_faces), EdgeEchoes(straight_edges), CornerEchoes(corners),
-                 ghosts_of_points(), simulated(scenario, scenario.sonars[index])}));
+    const PingMotion motion =
+        scenario.motion_in_ping ? sonar.motion_while_listening(*order.request, from.vehicle_from_sonar) : PingMotion{};
+    sonar.receivers[worker]->receive(grid, state_.displaced_[first_ + view], from.world_from_sonar, motion,
+                                     thrusters_in(*state_.sources_[view]), workers, ping);
   }
-  for (const auto& lane : own) {
-    lane->own_engine->stop_when(stop_asked);
+
+ private:
+  State& state_;
+  std::span<const PingOrder> orders_;
+  std::size_t first_;
+};
+
+void Simulator::State::set_view(std::size_t i, int index, const PingRequest& request) {
+  const SimulatedSonar& of = sonar(index);
+  if (i >= views_.size()) {
+    views_.emplace_back();
+    placements_.push_back(std::make_unique<Placement>());
+    displaced_.emplace_back();
   }
-  workers.for_each(static_cast<int>(requests.size()), [&](int ping, int worker) {
-    Lane& lane = *own[worker];
-    make(requests[ping], lane.sonar, lane.parts(), pings[ping]);
-  });
+  try {
+    request.validate();
+    of.check(request, scenario.motion_in_ping);
+    const Vec3 position = request.world_from_vehicle * of.config.position;
+    if (sea) {
+      sea->check(position);
+    }
+    load_scene();
+    Placement& placement = *placements_[i];
+    placement.at_home = at_home;
+    objects.place(request.moved, scene, placement);
+    displaced_[i].clear();
+    for (const Placement::Moved& moved : placement.moved) {
+      displaced_[i].push_back(
+          {static_cast<std::uint16_t>(moved.instance), at_home[moved.instance] * moved.world_from_mesh.inverse()});
+    }
+    if (sea) {
+      sea->place(position, placement);
+    }
+    views_[i] = view_of(of, request, placement);
+  } catch (const Error& error) {
+    throw Error(fmt::format("ping {} of {}: {}", request.number, of.config.name, error.what()));
+  }
+}
+
+void Simulator::State::place(int sonar, const PingRequest& request) {
+  set_view(0, sonar, request);
+  engine->place(*views_[0].placement);
+}
+
+// Sources keep what they need between the rounds of a batch, so each view has its own; a sonar's later batches use them
+// again.
+SourceSet* Simulator::State::sources_of(SimulatedSonar& sonar, std::size_t slot) {
+  while (sonar.sources.size() <= slot) {
+    const std::optional<SurfaceLabel> water = sea ? std::optional(sea->label()) : std::nullopt;
+    sonar.sources.push_back(std::make_unique<SourceSet>(make_sources({scenario, targets, sonar, senders, water})));
+  }
+  return sonar.sources[slot].get();
+}
+
+void Simulator::State::make(std::span<const PingOrder> orders) {
+  for (std::size_t start = 0; start < orders.size(); start += kAtOnce) {
+    const std::span<const PingOrder> some = orders.subspan(start, std::min(kAtOnce, orders.size() - start));
+    std::exception_ptr refused;
+    std::size_t count = 0;
+    try {
+      for (; count < some.size(); ++count) {
+        set_view(count, some[count].sonar, *some[count].request);
+      }
+    } catch (const Error&) {
+      refused = std::current_exception();
+    }
+    for (std::size_t first = 0; first < count;) {
+      const std::span<const PingView> left = std::span(views_).subspan(first, count - first);
+      const std::size_t together = runner->capacity(left);
+      make_batch(some.subspan(first, together), left.first(together), first);
+      first += together;
+    }
+    if (refused) {
+      std::rethrow_exception(refused);
+    }
+  }
+}
+
+void Simulator::State::make_batch(std::span<const PingOrder> orders, std::span<const PingView> views,
+                                  std::size_t first) {
+  const auto threads = static_cast<std::size_t>(workers.count());
+  sources_.clear();
+  for (std::size_t i = 0; i < orders.size(); ++i) {
+    SimulatedSonar& of = sonars[orders[i].sonar];
+    const auto before =
+        static_cast<std::size_t>(std::ranges::count(orders.first(i), orders[i].sonar, &PingOrder::sonar));
+    sources_.push_back(sources_of(of, before));
+    if (scenario.model == EchoModel::kCalibrated && orders.size() >= threads && of.receivers.size() < threads) {
+      of.add_receivers(scenario, materials_at(of.config.frequency, scenario, scene), threads);
+    }
+  }
+  Receiver receiver(*this, orders, first);
+  runner->run(views, sources_, receiver);
+  ray_counts = runner->ray_counts(views.size() - 1);
 }
 
 }  // namespace insonify

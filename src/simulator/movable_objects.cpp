@@ -8,18 +8,10 @@
 #include <algorithm>
 #include <set>
 
-#include "echo/engine.h"
 #include "insonify/error.h"
 #include "simulator/check_pose.h"
 
 namespace insonify {
-namespace {
-
-bool same(const Pose& a, const Pose& b) {
-  return a.position == b.position && a.orientation.coeffs() == b.orientation.coeffs();
-}
-
-}  // namespace
 
 bool belongs_to(const Instance& instance, std::string_view object) {
   return instance.present && instance.name.starts_with(object) &&
@@ -48,7 +40,7 @@ MovableObjects::Object& MovableObjects::add_object(const std::string& name, std:
       continue;
     }
     if (find_part(static_cast<int>(i)) == nullptr) {
-      parts_.push_back({static_cast<int>(i), instance.world_from_mesh, instance.world_from_mesh});
+      parts_.push_back({static_cast<int>(i), instance.world_from_mesh});
     }
     instance.moving = true;
     frame = frame.value_or(instance.world_from_mesh);
@@ -96,7 +88,7 @@ void MovableObjects::add_marked(const Scene& scene, std::size_t first) {
   for (std::size_t i = first; i < scene.instances.size(); ++i) {
     const Instance& instance = scene.instances[i];
     if (instance.moving && find_part(static_cast<int>(i)) == nullptr) {
-      parts_.push_back({static_cast<int>(i), instance.world_from_mesh, instance.world_from_mesh});
+      parts_.push_back({static_cast<int>(i), instance.world_from_mesh});
     }
   }
 }
@@ -146,14 +138,11 @@ void MovableObjects::set_next(const MovedObject& moved, const Scene& scene) {
                           names.empty() ? "nothing is" : fmt::format("there are {}", fmt::join(names, ", "))));
 }
 
-void MovableObjects::reset(const Scene& scene) {
+void MovableObjects::forget_removed(const Scene& scene) {
   std::erase_if(objects_, [&](const Object& object) {
     return std::ranges::none_of(
         object.pieces, [&](const Piece& piece) { return scene.instances[parts_[piece.part].instance].present; });
   });
-  for (Part& part : parts_) {
-    part.now = scene.instances[part.instance].world_from_mesh;
-  }
 }
 
 // Sets `next` of every part.
@@ -179,28 +168,17 @@ Scene MovableObjects::placed(std::span<const MovedObject> moved, const Scene& sc
   return result;
 }
 
-void MovableObjects::place(std::span<const MovedObject> moved, const Scene& scene, Engine& engine) {
+void MovableObjects::place(std::span<const MovedObject> moved, const Scene& scene, Placement& placement) {
   set_all_next(moved, scene);
-  displaced_.clear();
-  displaced_.reserve(parts_.size());
-  for (Part& part : parts_) {
-    const Instance& instance = scene.instances[part.instance];
-    if (instance.present && !same(part.now, part.next)) {
-      engine.move_instance(part.instance, part.next);
-      part.now = part.next;
-    }
-    if (instance.present && !same(part.now, instance.world_from_mesh)) {
-      displaced_.push_back({static_cast<std::uint16_t>(part.instance), instance.world_from_mesh * part.now.inverse()});
-    }
-  }
-}
-
-void MovableObjects::store(std::vector<Pose>& world_from_mesh) const {
+  placement.moved.clear();
   for (const Part& part : parts_) {
-    if (!world_from_mesh.empty()) {
-      world_from_mesh[part.instance] = part.now;
+    const Instance& instance = scene.instances[part.instance];
+    const Placement::Moved there{part.instance, part.next};
+    if (instance.present && there != Placement::Moved{part.instance, instance.world_from_mesh}) {
+      placement.moved.push_back(there);
     }
   }
+  std::ranges::sort(placement.moved, {}, &Placement::Moved::instance);
 }
 
 }  // namespace insonify

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "echo/batch/placement.h"
 #include "insonify/scenario.h"
 #include "insonify/simulator.h"
-#include "receiver/displaced_instance.h"
 
 namespace insonify {
 
@@ -28,30 +28,23 @@ class MovableObjects {
   /// Makes movable all instances from `first` on that are already marked as moving.
   void add_marked(const Scene& scene, std::size_t first = 0);
 
-  /// Moves objects in the engine to their poses in a request, and all others to their poses in the scene. Allocates
-  /// nothing.
-  /// @throws Error for an object that does not exist or cannot be moved; then nothing is moved.
-  void place(std::span<const MovedObject> moved, const Scene& scene, Engine& engine);
-
-  /// The instances that place() has put elsewhere than the scene has them.
-  [[nodiscard]] std::span<const DisplacedInstance> displaced() const { return displaced_; }
-
-  /// Stores the poses in the engine of all that can move; `world_from_mesh` has one of each instance, or none at all.
-  void store(std::vector<Pose>& world_from_mesh) const;
+  /// Places objects as a request has them, and all others as the scene has them.
+  /// @param placement  Its list of moved instances is replaced.
+  /// @throws Error for an object that does not exist or cannot be moved.
+  void place(std::span<const MovedObject> moved, const Scene& scene, Placement& placement);
 
   /// The scene with everything where a request has it.
   /// @throws Error as place().
   [[nodiscard]] Scene placed(std::span<const MovedObject> moved, const Scene& scene);
 
-  /// Takes current poses from the scene. To be called after the engine has loaded it again, perhaps with objects
-  /// removed.
-  void reset(const Scene& scene);
+  /// Removes objects whose instances have been removed from the scene.
+  void forget_removed(const Scene& scene);
 
  private:
   // An instance that can move.
   struct Part {
     int instance = 0;
-    Pose now, next;  // World from mesh: in the engine now, and at this ping.
+    Pose next;  // World from mesh at this ping.
   };
   struct Piece {
     std::size_t part = 0;
@@ -70,7 +63,6 @@ class MovableObjects {
 
   std::vector<Part> parts_;
   std::vector<Object> objects_;
-  std::vector<DisplacedInstance> displaced_;
 };
 
 /// Whether an instance is the object of this name or part of it.

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "echo/model/ray_limits.h"
 #include "echo/targets/interference.h"
 #include "receiver/array/line_array.h"
-#include "simulator/clear_path.h"
 #include "simulator/simulated_sonar.h"
 
 namespace insonify {
@@ -78,33 +78,46 @@ double SendingSonar::gain(std::uint64_t ping, const Vec3& direction) const {
   return azimuth <= port_edge_ && azimuth >= starboard_edge_ ? across : 0;
 }
 
-void add_mutual_interference(std::span<const SendingSonar> senders, const SimulatedSonar& hearing,
-                             const ReceiverConfig& receiver, const PingRequest& request, const Pose& world_from_sonar,
-                             Engine& engine, EchoGrid& grid) {
-  const PingPlan& plan = *hearing.plan;
+MutualInterference::MutualInterference(std::span<const SendingSonar> senders, std::string_view receiving,
+                                       bool has_array)
+    : senders_(senders),
+      own_(static_cast<std::size_t>(std::ranges::find(senders, receiving, &SendingSonar::name) - senders.begin())),
+      has_array_(has_array) {}
+
+void MutualInterference::ask(const PingView& view, Workers&, RayList& rays) {
+  near_.clear();
+  const Vec3& sonar = view.world_from_sonar.position;
+  for (std::size_t i = 0; i < senders_.size(); ++i) {
+    if (i == own_ || !(senders_[i].share_within(senders_[own_]) > 0)) {
+      continue;
+    }
+    const Vec3 there = view.world_from_vehicle * senders_[i].place() - sonar;
+    const double range = there.norm();
+    const Vec3f direction = (view.world_from_sonar.orientation.inverse() * there / range).cast<float>();
+    if (const std::optional<int> beam = beam_hearing(*view.plan, direction, has_array_)) {
+      near_.push_back({i, *beam, range, direction});
+      rays.sights.push_back({sonar, there / range, 0, range - double{kRayClearance}});
+    }
+  }
+}
+
+void MutualInterference::answer(const PingView& view, const RayAnswers& hits, Workers&, RayList&, EchoList& found) {
+  const PingPlan& plan = *view.plan;
   const double sound_speed = 2 * plan.sonar.frequency / plan.turns_per_metre;
   const double listening = 2 * double{plan.true_max_range} / sound_speed;
-  const bool has_array = receiver.azimuth_pattern != BeamPattern::kTopHat;
-  const auto own = std::ranges::find(senders, hearing.config.name, &SendingSonar::name);
-  for (const SendingSonar& sender : senders) {
-    const double share = &sender == &*own ? 0 : sender.share_within(*own);
-    if (!(share > 0)) {
+  for (std::size_t i = 0; i < hits.sights.size(); ++i) {
+    if (!hits.is_clear(i)) {
       continue;
     }
-    const Vec3 place = request.world_from_vehicle * sender.place(), there = place - world_from_sonar.position;
-    const double range = there.norm();
-    const Vec3f direction = (world_from_sonar.orientation.inverse() * there / range).cast<float>();
-    const std::optional<int> beam = beam_hearing(plan, direction, has_array);
-    const double passed = beam ? passed_between(plan, world_from_sonar.position, place, engine) : 0;
-    if (passed == 0) {
-      continue;
-    }
+    const auto& [index, beam, range, direction] = near_[i];
+    const SendingSonar& sender = senders_[index];
+    const Vec3 there = view.world_from_vehicle * sender.place() - view.world_from_sonar.position;
     const PingPlan::Arrival arrival = plan.arrival_from(direction);
-    const Vec3 towards = request.world_from_vehicle.orientation.inverse() * -there / range;
-    const double arriving = std::pow(10.0, (sender.source_level_db() - plan.sonar.source_level_db) / 10) * share *
-                            double{arrival.pattern} / (range * range) *
-                            std::exp(-2 * double{plan.neper_per_metre} * range) * passed;
-    const double delay = range / sound_speed - request.time;  // When a pulse sent at time 0 arrives [s].
+    const Vec3 towards = view.world_from_vehicle.orientation.inverse() * -there / range;
+    const double arriving = std::pow(10.0, (sender.source_level_db() - plan.sonar.source_level_db) / 10) *
+                            sender.share_within(senders_[own_]) * double{arrival.pattern} / (range * range) *
+                            std::exp(-2 * double{plan.neper_per_metre} * range) * hits.passed(i);
+    const double delay = range / sound_speed - view.time;  // When a pulse sent at time 0 arrives [s].
     const double earliest = std::ceil(-(delay + sender.duration()) / sender.period());
     for (auto ping = static_cast<std::uint64_t>(std::max(0.0, earliest));; ++ping) {
       const double begins = delay + static_cast<double>(ping) * sender.period();
@@ -113,14 +126,14 @@ void add_mutual_interference(std::span<const SendingSonar> senders, const Simula
       }
       const double intensity = arriving * sender.gain(ping, towards);
       add_pulse(plan,
-                {.beam = *beam,
+                {.beam = beam,
                  .bearing_sine = std::sin(arrival.bearing),
                  .intensity = static_cast<float>(intensity),
                  .begins = begins,
                  .duration = sender.duration(),
-                 .source = kFirstSource + static_cast<std::uint32_t>(&sender - senders.data()),
+                 .source = kFirstSource + static_cast<std::uint32_t>(index),
                  .number = static_cast<std::int64_t>(ping)},
-                grid);
+                found);
     }
   }
 }

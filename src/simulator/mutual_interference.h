@@ -6,11 +6,11 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "echo/engine.h"
+#include "echo/batch/echo_source.h"
 #include "insonify/array_pattern.h"
-#include "insonify/ping_request.h"
 #include "sonar/elevation_pattern.h"
 #include "sonar/fan_pattern.h"
 
@@ -51,12 +51,31 @@ class SendingSonar {
   double head_length_ = 0;            // [wavelengths]
 };
 
-/// Adds the pulses of all other sonars that arrive during the ping of one sonar to its discrete echoes, if the path is
+/// Pulses of all other sonars of a scenario that arrive during the ping of one, as discrete echoes, if the path is
 /// unobstructed. Positions are those at transmission. Pulses from outside the fan are received through side lobes.
-/// @param senders  All sonars of the scenario.
-/// @param hearing  The sonar that receives.
-void add_mutual_interference(std::span<const SendingSonar> senders, const SimulatedSonar& hearing,
-                             const ReceiverConfig& receiver, const PingRequest& request, const Pose& world_from_sonar,
-                             Engine& engine, EchoGrid& grid);
+class MutualInterference final : public EchoSource {
+ public:
+  /// @param senders    All sonars of the scenario.
+  /// @param receiving  Name of the sonar that receives.
+  /// @param has_array  See Interference.
+  MutualInterference(std::span<const SendingSonar> senders, std::string_view receiving, bool has_array);
+
+  void ask(const PingView& view, Workers& workers, RayList& rays) override;
+  void answer(const PingView& view, const RayAnswers& hits, Workers& workers, RayList& more, EchoList& found) override;
+
+ private:
+  // Another sonar whose pulses are within the receiver's band and fan at this ping.
+  struct Sender {
+    std::size_t index;
+    int beam;
+    double range;
+    Vec3f direction;  // In the sonar frame.
+  };
+
+  std::span<const SendingSonar> senders_;
+  std::size_t own_;  // Index of the receiving sonar.
+  bool has_array_;
+  std::vector<Sender> near_;  // [sight]
+};
 
 }  // namespace insonify

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "echo/engine.h"
 #include "insonify/error.h"
 #include "insonify/mesh.h"
 
@@ -29,8 +28,7 @@ double reach_of(const Scenario& scenario) {
 SeaPlane::SeaPlane(const Scenario& scenario, Scene& scene)
     : instance_(static_cast<int>(scene.instances.size())),
       material_(static_cast<std::uint16_t>(scene.materials.size())),
-      home_(0, 0, scenario.surface->level),
-      now_(home_) {
+      home_(0, 0, scenario.surface->level) {
   Instance instance;
   instance.name = "sea_surface";
   instance.world_from_mesh.position = home_;
@@ -63,12 +61,12 @@ void SeaPlane::check(const Vec3& sonar) const {
   }
 }
 
-void SeaPlane::place(const Vec3& sonar, Engine& engine) {
+void SeaPlane::place(const Vec3& sonar, Placement& placement) const {
   const double spacing = half_width_;
   const Vec3 middle(spacing * std::round(sonar.x() / spacing), spacing * std::round(sonar.y() / spacing), home_.z());
-  if (middle != now_) {
-    engine.move_instance(instance_, {.position = middle});
-    now_ = middle;
+  if (middle != home_) {
+    const auto after = std::ranges::upper_bound(placement.moved, instance_, {}, &Placement::Moved::instance);
+    placement.moved.insert(after, {instance_, {.position = middle}});
   }
 }
 

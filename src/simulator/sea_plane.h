@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "echo/engine.h"
+#include "echo/batch/placement.h"
 #include "echo/grid/echo.h"
 #include "insonify/scenario.h"
 #include "insonify/scene.h"
@@ -31,17 +31,14 @@ class SeaPlane {
   /// @throws Error if the sonar is not below the surface.
   void check(const Vec3& sonar) const;
 
-  /// Moves the plane in the engine to the lattice point nearest to the sonar.
-  void place(const Vec3& sonar, Engine& engine);
-
-  /// To be called after the engine has loaded the scene again: the plane is then at its home position.
-  void reset() { now_ = home_; }
+  /// Places the plane at the lattice point nearest to the sonar.
+  void place(const Vec3& sonar, Placement& placement) const;
 
  private:
   int instance_;
   std::uint16_t material_;
   double half_width_ = 0;  // [m]
-  Vec3 home_, now_;        // Centre in the scene, and in the engine.
+  Vec3 home_;              // Centre in the scene.
 };
 
 /// Materials of the scene at a frequency; only the sea surface's depends on it.

@@ -1,4 +1,4 @@
-// simulated_sonar.cpp -- makes plan, echo grid and receiver from a sonar's settings.
+// simulated_sonar.cpp -- makes plan and receivers from a sonar's settings.
 
 #include "simulator/simulated_sonar.h"
 
@@ -26,6 +26,17 @@ ReceiverConfig receiver_of(const Scenario& scenario, const SonarConfig& sonar) {
     receiver.speckle = false;
   }
   return receiver;
+}
+
+// The sonar with the bearings that its beams really have.
+SonarConfig steered_by_water(const Scenario& scenario, const SonarConfig& sonar) {
+  if (scenario.model == EchoModel::kCalibrated) {
+    return steered_by_assumed_speed(sonar, scenario.water_at(sonar).true_sound_speed());
+  }
+  SonarConfig steered = sonar;
+  steered.transmit_width.reset();
+  steered.element_width.reset();
+  return steered;
 }
 
 std::optional<ArraySettings> elevation_array(const ReceiverConfig& receiver, const SonarConfig& sonar) {
@@ -93,18 +104,12 @@ Pose housing_from_head(double head_angle) {
 SimulatedSonar::SimulatedSonar(const Scenario& scenario, const SonarConfig& sonar, std::span<const Material> materials)
     : config(scenario.filled_in(sonar)),
       vehicle_from_housing(config.vehicle_from_sonar()),
-      thrusters(scenario.thrusters.size()) {
-  const Water water = scenario.water_at(config);
+      steered(steered_by_water(scenario, config)),
+      cells(steered, receiver_of(scenario, config)) {
   const ReceiverConfig beams = receiver_of(scenario, config);
   const bool calibrated = scenario.model == EchoModel::kCalibrated;
-  SonarConfig steered = calibrated ? steered_by_assumed_speed(config, water.true_sound_speed()) : config;
-  if (!calibrated) {
-    steered.transmit_width.reset();
-    steered.element_width.reset();
-  }
-  const BearingCells cells(steered, beams);
   plan = make_ping_plan({.sonar = cells.sonar,
-                         .water = water,
+                         .water = scenario.water_at(config),
                          .model = scenario.model,
                          .paper = scenario.paper,
                          .materials = materials,
@@ -116,22 +121,26 @@ SimulatedSonar::SimulatedSonar(const Scenario& scenario, const SonarConfig& sona
                          .max_surfaces = scenario.max_surfaces,
                          .rough_mirrors = scenario.rough_mirrors,
                          .seed = scenario.seed});
-  grid =
-      EchoGrid(cells.sonar.beam_count, config.bin_count, order_count(scenario), scenario.ground_truth, beams.speckle);
+  layers = {.orders = order_count(scenario), .ground_truth = scenario.ground_truth, .labelled = beams.speckle};
   if (scenario.random_walks > 0) {
-    walks.emplace(walk_settings(scenario, config, cells));
+    walks = walk_settings(scenario, config, cells);
   }
-  if (calibrated) {
-    const std::vector<float> angles = cell_angles(*plan);
-    receiver.emplace(CalibratedReceiver::Settings{.sonar = steered,
-                                                  .cells = cells,
-                                                  .cell_angles = angles,
-                                                  .water = water,
-                                                  .receiver = scenario.receiver_of(config),
-                                                  .materials = materials,
-                                                  .thrusters = scenario.thrusters,
-                                                  .moves = scenario.motion_in_ping,
-                                                  .seed = scenario.seed});
+  add_receivers(scenario, materials, 1);
+}
+
+void SimulatedSonar::add_receivers(const Scenario& scenario, std::span<const Material> materials, std::size_t threads) {
+  const std::vector<float> angles = cell_angles(*plan);
+  while (scenario.model == EchoModel::kCalibrated && receivers.size() < threads) {
+    receivers.push_back(
+        std::make_unique<CalibratedReceiver>(CalibratedReceiver::Settings{.sonar = steered,
+                                                                          .cells = cells,
+                                                                          .cell_angles = angles,
+                                                                          .water = scenario.water_at(config),
+                                                                          .receiver = scenario.receiver_of(config),
+                                                                          .materials = materials,
+                                                                          .thrusters = scenario.thrusters,
+                                                                          .moves = scenario.motion_in_ping,
+                                                                          .seed = scenario.seed}));
   }
 }
 

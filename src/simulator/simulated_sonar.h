@@ -1,4 +1,4 @@
-// simulated_sonar.h -- one sonar of a simulator: plan, echo grid and receiver, reused from ping to ping.
+// simulated_sonar.h -- one sonar of a simulator: its plan, and the sources and receivers that pings reuse.
 
 #pragma once
 
@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "echo/batch/source_set.h"
 #include "echo/model/ping_plan.h"
 #include "echo/walks/random_walks.h"
 #include "insonify/ping_request.h"
@@ -15,7 +16,7 @@
 
 namespace insonify {
 
-/// Plan, grid and receiver are made from the same SonarConfig and Water, so that they agree.
+/// Plan and receivers are made from the same SonarConfig and Water, so that they agree.
 struct SimulatedSonar {
   /// @param scenario   Valid; `sonar` need not be one of its sonars.
   /// @param materials  The scene's materials at this sonar's frequency; not kept.
@@ -36,14 +37,18 @@ struct SimulatedSonar {
   /// From transmission to the last echo, by the sound speed that the sonar assumes [s].
   [[nodiscard]] double listening_time() const { return config.shortest_ping_period(*config.assumed_sound_speed); }
 
+  /// Makes receivers for so many threads, where there are fewer. None in the paper model.
+  void add_receivers(const Scenario& scenario, std::span<const Material> materials, std::size_t threads);
+
   SonarConfig config;  ///< With defaults filled in: see Scenario::filled_in().
   Pose vehicle_from_housing;
+  SonarConfig steered;  ///< With the beams' true bearings.
+  BearingCells cells;
   std::shared_ptr<const PingPlan> plan;
-  EchoGrid grid;
-  std::optional<RandomWalks> walks;            ///< Where the scenario has random_walks.
-  std::optional<CalibratedReceiver> receiver;  ///< Empty in the paper model.
-  std::vector<std::optional<Vec3>> thrusters;  ///< [thruster] Places in the frame of the head at the last ping; none
-                                               ///< where a surface was in the way.
+  GridLayers layers;
+  std::optional<RandomWalks::Settings> walks;                  ///< Where the scenario has random_walks.
+  std::vector<std::unique_ptr<SourceSet>> sources;             ///< For each view of a batch.
+  std::vector<std::unique_ptr<CalibratedReceiver>> receivers;  ///< For each thread.
 };
 
 /// Pose of the head in its housing, turned about z.

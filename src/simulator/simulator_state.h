@@ -2,20 +2,17 @@
 
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "echo/batch/batch_runner.h"
 #include "echo/engine.h"
-#include "echo/targets/corner_echoes.h"
-#include "echo/targets/edge_echoes.h"
-#include "echo/targets/face_glints.h"
-#include "echo/targets/interference.h"
-#include "echo/targets/point_echoes.h"
-#include "echo/targets/point_ghosts.h"
-#include "echo/targets/thin_echoes.h"
+#include "echo/targets/scene_targets.h"
 #include "insonify/simulator.h"
+#include "receiver/displaced_instance.h"
 #include "simulator/movable_objects.h"
 #include "simulator/mutual_interference.h"
 #include "simulator/sea_plane.h"
@@ -29,98 +26,55 @@ struct Simulator::State {
   /// Makes a sonar of the scenario `in` for the scene of this simulator.
   [[nodiscard]] SimulatedSonar simulated(const Scenario& in, const SonarConfig& sonar) const;
 
-  /// Puts one in the place of a sonar, whose settings `changed` has.
+  /// Replaces a sonar by one with the settings in `changed`.
   void set(int index, SimulatedSonar sonar, const Scenario& changed);
 
-  /// Fills `senders` with the sonars as they are.
+  /// Fills `senders` with the present sonars.
   void set_senders();
 
-  /// Passes the scene to the engine again if it has changed.
-  void take_in_scene();
+  /// Passes the scene to the engine again if it has changed, and finds its targets.
+  void load_scene();
 
-  /// Finds what echoes on the object rather than by samples, thin parts, the glints of plane faces and edges, and has
-  /// the engine leave it out.
-  void find_object_echoes();
+  /// One of `sonars`.  @throws Error for an index out of range.
+  [[nodiscard]] SimulatedSonar& sonar(int index);
 
-  /// Finds plane mirrors and the corners that they form.
-  void find_mirrors();
+  /// Places everything in the engine as at a ping.
+  /// @throws Error for an invalid request.
+  void place(int sonar, const PingRequest& request);
 
-  /// Ghosts of the points in the mirrors found.
-  [[nodiscard]] PointGhosts ghosts_of_points() const;
-
-  /// Turns the echoes of one request into a ping.
-  struct Parts {
-    Engine& engine;
-    PointEchoes& points;
-    Interference& interference;
-    ThinEchoes& thin;
-    FaceGlints& glints;
-    EdgeEchoes& edges;
-    CornerEchoes& corners;
-    PointGhosts& ghosts;
-  };
-  void make(const PingRequest& request, SimulatedSonar& sonar, const Parts& parts, Ping& ping);
-  [[nodiscard]] Parts parts() {
-    return {*engine, points, interference, thin, glints, edge_echoes, corner_echoes, ghosts};
-  }
-
-  /// How many of the requests after the first can be made by several threads at once, each ping by one: nothing may
-  /// move in the scene but the sonar, and all must be valid. A multiple of the number of threads, and never the last,
-  /// so that the engine is left as after the last ping.
-  [[nodiscard]] std::size_t count_together(int sonar, std::span<const PingRequest> requests) const;
-
-  /// Makes these pings on all threads at once, after one of the same sonar in the same scene.
-  void make_together(int sonar, std::span<const PingRequest> requests, std::span<Ping> pings);
-
-  /// Moves objects and sea plane to where a ping request has them.
-  /// @throws Error for an invalid request; nothing is moved then.
-  void place(const SimulatedSonar& sonar, const PingRequest& request);
+  /// Makes all pings of the orders. @throws Error for an invalid request, with the pings before it made.
+  void make(std::span<const PingOrder> orders);
 
   Scenario scenario;
   Scene scene;
+  Workers workers;
   std::unique_ptr<Engine> engine;
+  std::optional<BatchRunner> runner;
   MovableObjects objects;
   std::optional<SeaPlane> sea;
-  PointEchoes points;
-  Interference interference;
-  std::shared_ptr<const ThinParts> thin_parts;  ///< Null in the paper model.
-  ThinEchoes thin;
-  std::shared_ptr<const GlintingFaces> glinting_faces;  ///< Null in the paper model.
-  FaceGlints glints;
-  std::shared_ptr<const StraightEdges> straight_edges;  ///< Null in the paper model.
-  EdgeEchoes edge_echoes;
-  std::shared_ptr<const std::vector<PlaneMirror>>
-      mirrors;                                         ///< Plane mirrors that do not move. Null in the paper model.
-  std::shared_ptr<const std::vector<Corner>> corners;  ///< Null in the paper model.
-  CornerEchoes corner_echoes;
-  PointGhosts ghosts;
-  std::vector<Pose> poses;  ///< [instance] World from mesh, at the last ping or place().
+  SceneTargets targets;
+  std::vector<Pose> at_home;  ///< [instance] World from mesh, in the scene.
   std::vector<SimulatedSonar> sonars;
   std::vector<SendingSonar> senders;  ///< All sonars, where they receive each other's pulses; else empty.
+  bool scene_changed = true;          ///< Since the engine has loaded it.
+  RayCounts ray_counts;               ///< Of the last ping.
 
-  /// One of `sonars`.  @throws Error for an index that is none.
-  [[nodiscard]] SimulatedSonar& sonar(int index);
-  const std::atomic<bool>* stop_asked = nullptr;  ///< See Simulator::stop_when().
-  bool scene_changed = true;                      ///< Since the engine has loaded it.
+ private:
+  class Receiver;
 
-  /// What one thread needs to make pings of one sonar beside others.
-  struct Lane {
-    std::unique_ptr<Engine> own_engine;
-    PointEchoes own_points;
-    Interference own_interference;
-    ThinEchoes own_thin;
-    FaceGlints own_glints;
-    EdgeEchoes own_edges;
-    CornerEchoes own_corners;
-    PointGhosts own_ghosts;
-    SimulatedSonar sonar;
+  // Sets views_[i], and what belongs to it.
+  // @throws Error for an invalid request.
+  void set_view(std::size_t i, int sonar, const PingRequest& request);
 
-    [[nodiscard]] Parts parts() {
-      return {*own_engine, own_points, own_interference, own_thin, own_glints, own_edges, own_corners, own_ghosts};
-    }
-  };
-  /// [sonar][thread], made by the first batch of a sonar; to be dropped when its settings or materials change.
-  std::vector<std::vector<std::unique_ptr<Lane>>> lanes;
+  // @param first  The first of the views in `views_`.
+  void make_batch(std::span<const PingOrder> orders, std::span<const PingView> views, std::size_t first);
+  [[nodiscard]] SourceSet* sources_of(SimulatedSonar& sonar, std::size_t slot);
+
+  // Views of the pings that are being made, reused from call to call.
+  std::vector<PingView> views_;
+  std::vector<std::unique_ptr<Placement>> placements_;
+  std::vector<std::vector<DisplacedInstance>> displaced_;
+  std::vector<SourceSet*> sources_;
 };
 
 }  // namespace insonify

@@ -10,6 +10,7 @@
 
 #include "echo/targets/edge_echoes.h"
 #include "insonify/mesh.h"
+#include "support/test_engine.h"
 
 namespace insonify::straight_edges_test {
 namespace {
@@ -42,9 +43,9 @@ Scene scene_of(std::vector<Body> bodies) {
 
 StraightEdges edges_of(const Scene& scene, LeftOut left_out = {}) {
   const GlintingFaces faces = find_glinting_faces(scene, left_out);
-  const std::unique_ptr<Engine> engine = make_engine("cpu", 1);
+  const std::unique_ptr<TestEngine> engine = test_engine("cpu", 1);
   engine->set_scene(scene);
-  return find_straight_edges(scene, faces, *engine);
+  return find_straight_edges(scene, faces, engine->engine());
 }
 
 std::vector<StraightEdges::Edge> all_edges(const Scene& scene) {

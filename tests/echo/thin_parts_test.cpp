@@ -6,6 +6,8 @@
 
 #include <numbers>
 
+#include "support/test_engine.h"
+
 namespace insonify::thin_parts_test {
 namespace {
 
@@ -22,9 +24,9 @@ Scene scene_of(Mesh mesh, const Pose& world_from_mesh = {}) {
 }
 
 ThinParts parts_of(const Scene& scene) {
-  const std::unique_ptr<Engine> engine = make_engine("cpu", 2);
+  const std::unique_ptr<TestEngine> engine = test_engine("cpu", 2);
   engine->set_scene(scene);
-  return find_thin_parts(scene, *engine);
+  return find_thin_parts(scene, engine->engine());
 }
 
 double area_of(const ThinParts& parts) {

@@ -87,8 +87,8 @@ TEST_P(EngineAgreementTest, HitsTheSurfacesThatTheReferenceHits) {
   double samples = 0, other = 0, range_apart = 0, hits_compared = 0;
   for (int seed = 0; seed < kScenes; ++seed) {
     const RandomScene random(seed);
-    const auto engine = make_engine(GetParam(), 2);
-    const auto reference = make_engine("reference", 2);
+    const auto engine = test_engine(GetParam(), 2);
+    const auto reference = test_engine("reference", 2);
     engine->set_scene(random.scene);
     reference->set_scene(random.scene);
     const std::vector<Ray> rays = lattice_rays(random);
@@ -170,9 +170,9 @@ TEST_P(EngineAgreementTest, MovesInstancesAsTheReferenceDoes) {
     const RandomScene random(seed);
     const PingPlanSettings settings{.sonar = random.sonar,
                                     .secondary = seed % 2 == 0 ? SecondaryEchoes::kAll : SecondaryEchoes::kSelective};
-    const auto tested = make_engine(GetParam(), 2);
-    const auto reference = make_engine("reference", 2);
-    for (Engine* engine : {tested.get(), reference.get()}) {
+    const auto tested = test_engine(GetParam(), 2);
+    const auto reference = test_engine("reference", 2);
+    for (TestEngine* engine : {tested.get(), reference.get()}) {
       engine->set_scene(random.scene);
       random.move_all([&](int instance, const Pose& pose) { engine->move_instance(instance, pose); });
     }
@@ -195,7 +195,7 @@ TEST_P(EngineAgreementTest, MovesInstancesAsTheReferenceDoes) {
 TEST(CpuEngineTest, ReturnLegsAmongMovingInstancesEndWhateverTheStackHolds) {
   const RandomScene random(4);
   ASSERT_TRUE(std::ranges::any_of(random.scene.instances, &Instance::moving));
-  const auto engine = make_engine("cpu", 1);
+  const auto engine = test_engine("cpu", 1);
   engine->set_scene(random.scene);
   const PingPlanSettings settings{.sonar = random.sonar, .secondary = SecondaryEchoes::kAll};
   fill_stack();
@@ -210,7 +210,7 @@ TEST(RasterAgreementTest, RasterAndRaysGiveTheSameEchoes) {
     if (seed % 4 == 3) {
       settings.sonar.azimuth_aperture = radians_from_degrees(360);  // Triangles behind the sonar and around it.
     }
-    const auto engine = make_engine("cpu", 2);
+    const auto engine = test_engine("cpu", 2);
     engine->set_scene(random.scene);
     random.move_all([&](int instance, const Pose& pose) { engine->move_instance(instance, pose); });
     settings.primary = PrimaryEchoes::kRays;
@@ -278,7 +278,7 @@ TEST(RasterAgreementTest, AutoRasterisesFewTrianglesAndTracesMany) {
 
 TEST(RasterAgreementTest, TheEngineUsesTheChosenMethod) {
   const RandomScene random(1);
-  const auto engine = make_engine("cpu", 2);
+  const auto engine = test_engine("cpu", 2);
   engine->set_scene(random.scene);
   for (const int rows : {2, 400}) {
     PingPlanSettings settings{.sonar = random.sonar};

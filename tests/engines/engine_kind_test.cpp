@@ -15,7 +15,7 @@ TEST(EngineKindTest, EveryEngineIsFoundByItsName) {
   for (const std::string_view name : engine_names()) {
     EXPECT_TRUE(names.insert(name).second) << name;
     EXPECT_EQ(engine_kind(name).name, name);
-    EXPECT_EQ(&make_engine(name, 1)->kind(), &engine_kind(name));
+    EXPECT_EQ(&test_engine(name, 1)->kind(), &engine_kind(name));
   }
   EXPECT_TRUE(names.contains("cpu") && names.contains("reference"));
 }
@@ -23,13 +23,13 @@ TEST(EngineKindTest, EveryEngineIsFoundByItsName) {
 TEST(EngineKindTest, UnknownEnginesAndThreadsAreRefused) {
   const auto message_of = [](std::string_view name, int threads) {
     try {
-      (void)make_engine(name, threads);
+      (void)test_engine(name, threads);
     } catch (const Error& error) {
       return std::string(error.what());
     }
     return std::string();
   };
-  EXPECT_EQ(message_of("gpu", 1), "engine \"gpu\" is unknown; there are cpu, reference");
+  EXPECT_EQ(message_of("gpu", 1), "engine \"gpu\" is unknown; there are cpu, reference, remote");
   EXPECT_EQ(message_of("cpu", 1025), "threads = 1025 must be from 0 to 1024");
 }
 
@@ -37,7 +37,7 @@ TEST(EngineKindTest, UnknownEnginesAndThreadsAreRefused) {
 TEST(EngineKindTest, EnginesDrawPrimariesIfTheySaySo) {
   const RandomScene random(1);
   for (const std::string_view name : engine_names()) {
-    const auto engine = make_engine(name, 2);
+    const auto engine = test_engine(name, 2);
     engine->set_scene(random.scene);
     static_cast<void>(echoes_of(*engine, {.sonar = random.sonar, .primary = PrimaryEchoes::kRaster}, random.pose));
     EXPECT_EQ(engine->ray_counts().primary == 0, engine_kind(name).draws_primaries) << name;
@@ -48,13 +48,13 @@ TEST(EngineKindTest, BareTraversalIsTimedOnceARepetitionOrNotAtAll) {
   const RandomScene random(1);
   const auto plan = make_ping_plan({.sonar = random.sonar});
   for (const std::string_view name : engine_names()) {
-    const auto engine = make_engine(name, 2);
+    const auto engine = test_engine(name, 2);
     engine->set_scene(random.scene);
     const std::vector<double> seconds = engine->time_traversal(*plan, random.pose, 3);
     EXPECT_TRUE(seconds.size() == 3 || seconds.empty()) << name;
     EXPECT_TRUE(std::ranges::all_of(seconds, [](double time) { return time > 0; })) << name;
   }
-  EXPECT_EQ(make_engine("reference")->time_traversal(*plan, random.pose, 3), std::vector<double>());
+  EXPECT_EQ(test_engine("reference")->time_traversal(*plan, random.pose, 3), std::vector<double>());
 }
 
 TEST(EngineKindTest, ManyPingsInOneCallAreThoseMadeOneByOne) {
@@ -65,7 +65,7 @@ TEST(EngineKindTest, ManyPingsInOneCallAreThoseMadeOneByOne) {
     poses[i].position.z() += 0.1 * static_cast<double>(i);
   }
   for (const std::string_view name : engine_names()) {
-    const auto engine = make_engine(name, 2);
+    const auto engine = test_engine(name, 2);
     engine->set_scene(random.scene);
     std::vector<EchoGrid> grids(poses.size(),
                                 EchoGrid(settings.sonar.beam_count, settings.sonar.bin_count, kPathOrders));

@@ -167,7 +167,7 @@ TEST(FanRasterTest, HitsWhatRaysHit) {
       const double half = random.sonar.elevation_aperture / 2;
       random.sonar.elevation_center = (seed % 2 == 0 ? 1 : -1) * (75 * kDegree - half);
     }
-    const auto engine = make_engine("cpu", 2);
+    const auto engine = test_engine("cpu", 2);
     engine->set_scene(random.scene);
     Drawing drawing(random.scene, random.sonar, random.pose);
     random.move_all([&](int instance, const Pose& pose) {

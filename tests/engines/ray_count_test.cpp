@@ -43,7 +43,7 @@ TEST_P(RayCountTest, LevelsDoNotDependOnTheNumberOfSamples) {
   sonar.max_range = 36;
   sonar.bin_count = 360;
   const Scene scene = without_glints(SceneMaker().add_floor(-3).add_sphere({14, 1, -2}, 0.8, 0.6, 0.05).scene());
-  const auto engine = make_engine("cpu", 2);
+  const auto engine = test_engine("cpu", 2);
   engine->set_scene(scene);
   const auto ping = [&](int columns_per_beam, int rows) {
     PingPlanSettings settings{.sonar = sonar,

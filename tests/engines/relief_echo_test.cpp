@@ -168,10 +168,10 @@ TEST_P(ReliefEchoTest, AgreesWithTheReference) {
     const Scene scene = roughened(random, seed);
     const PingPlanSettings settings{.sonar = random.sonar,
                                     .secondary = seed % 2 == 0 ? SecondaryEchoes::kAll : SecondaryEchoes::kSelective};
-    const auto oracle = make_engine("reference", 2), engine = make_engine(GetParam().engine, 2);
+    const auto oracle = test_engine("reference", 2), engine = test_engine(GetParam().engine, 2);
     PingPlanSettings own = settings;
     own.primary = GetParam().primary;
-    for (Engine* each : {oracle.get(), engine.get()}) {
+    for (TestEngine* each : {oracle.get(), engine.get()}) {
       each->set_scene(scene);
       random.move_all([&](int instance, const Pose& pose) { each->move_instance(instance, pose); });
     }

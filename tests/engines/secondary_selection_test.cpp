@@ -16,7 +16,7 @@ TEST(SecondarySelectionTest, TracesNoRaysIntoOpenWater) {
   sonar.beam_count = 16;
   sonar.elevation_center = -20 * kDegree;
   PingPlanSettings settings{.sonar = sonar, .secondary = SecondaryEchoes::kAll};
-  const auto engine = make_engine("cpu", 2);
+  const auto engine = test_engine("cpu", 2);
   const Scene scene = SceneMaker().add_floor(-3).add_sphere({6, 0, -2}, 0.5).scene();
   engine->set_scene(scene);
   const EchoGrid all = echoes_of(*engine, settings);
@@ -38,7 +38,7 @@ TEST(SecondarySelectionTest, TracesASampleOfTheRaysThatMayHitASurface) {
   sonar.elevation_aperture = 40 * kDegree;
   sonar.azimuth_aperture = 60 * kDegree;
   PingPlanSettings settings{.sonar = sonar, .secondary = SecondaryEchoes::kAll};
-  const auto engine = make_engine("cpu", 2);
+  const auto engine = test_engine("cpu", 2);
   const Scene scene = SceneMaker().add_floor(-3).add_wall(8).scene();
   engine->set_scene(scene);
   const EchoGrid all = echoes_of(*engine, settings);
@@ -56,7 +56,7 @@ TEST(SecondarySelectionTest, SeedsSelectDifferentHits) {
   sonar.elevation_center = -15 * kDegree;
   sonar.azimuth_aperture = 60 * kDegree;
   PingPlanSettings settings{.sonar = sonar, .secondary = SecondaryEchoes::kSelective};
-  const auto engine = make_engine("cpu", 2);
+  const auto engine = test_engine("cpu", 2);
   const Scene scene = SceneMaker().add_floor(-3).add_wall(8).scene();
   engine->set_scene(scene);
   const EchoGrid first = echoes_of(*engine, settings);
@@ -100,7 +100,7 @@ TEST(SecondarySelectionTest, PreservesTheSumsOfEnergyAndWeight) {
   RayCounts rays_all, rays_selective;
   for (int number = 0; number < 60; ++number) {
     const RandomScene random(number);
-    const auto engine = make_engine("cpu", 2);
+    const auto engine = test_engine("cpu", 2);
     engine->set_scene(random.scene);
     PingPlanSettings settings{.sonar = random.sonar, .secondary = SecondaryEchoes::kAll};
     settings.sonar.sampling = {4, 100};
@@ -129,7 +129,7 @@ TEST(SecondarySelectionTest, PreservesTheSumsOfCalibratedEnergy) {
   double sent = 0, sent_by_all = 0;
   for (int number = 0; number < 60; ++number) {
     const RandomScene random(number);
-    const auto engine = make_engine("cpu", 2);
+    const auto engine = test_engine("cpu", 2);
     engine->set_scene(random.scene);
     PingPlanSettings settings{.sonar = random.sonar,
                               .model = EchoModel::kCalibrated,
@@ -167,7 +167,7 @@ TEST(SecondarySelectionTest, FollowsHitsByTheEnergyThatTheyReflect) {
   sonar.elevation_aperture = 40 * kDegree;
   sonar.azimuth_aperture = 60 * kDegree;
   Scene scene = SceneMaker().add_floor(-3).add_wall(8).scene();
-  const auto engine = make_engine("cpu", 2);
+  const auto engine = test_engine("cpu", 2);
   std::vector<double> shares;
   for (const double reflection : {0.3, 0.6}) {
     for (Material& material : scene.materials) {

@@ -8,10 +8,10 @@
 #include <memory>
 #include <string>
 
-#include "echo/engine.h"
 #include "insonify/mesh.h"
 #include "insonify/scene.h"
 #include "insonify/simulator.h"
+#include "support/test_engine.h"
 
 namespace insonify::testing_scenes {
 
@@ -59,7 +59,7 @@ class SceneMaker {
 };
 
 /// Echoes of one ping on one engine, without receiver.
-inline EchoGrid echoes_of(Engine& engine, const PingPlanSettings& settings, const Pose& world_from_sonar = {}) {
+inline EchoGrid echoes_of(TestEngine& engine, const PingPlanSettings& settings, const Pose& world_from_sonar = {}) {
   EchoGrid grid(settings.sonar.beam_count, settings.sonar.bin_count, kPathOrders);
   engine.insonify(*make_ping_plan(settings), world_from_sonar, grid);
   return grid;
@@ -67,7 +67,7 @@ inline EchoGrid echoes_of(Engine& engine, const PingPlanSettings& settings, cons
 
 inline EchoGrid echoes_of(const std::string& engine_name, const Scene& scene, const PingPlanSettings& settings,
                           const Pose& world_from_sonar = {}, int threads = 2) {
-  const auto engine = make_engine(engine_name, threads);
+  const auto engine = test_engine(engine_name, threads);
   engine->set_scene(scene);
   return echoes_of(*engine, settings, world_from_sonar);
 }

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "echo/engine.h"
 #include "insonify/geometry.h"
 #include "insonify/mesh.h"
 #include "insonify/scene.h"
 #include "scenes/obj_mesh.h"
+#include "support/test_engine.h"
 
 namespace insonify::testing_scenes {
 
@@ -46,7 +46,7 @@ class Probe {
 
  private:
   Scene scene_;
-  std::unique_ptr<Engine> engine_ = make_engine("cpu", 1);
+  std::unique_ptr<TestEngine> engine_ = test_engine("cpu", 1);
 };
 
 }  // namespace insonify::testing_scenes

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "echo/engine.h"
 #include "echo/model/ping_plan.h"
 #include "insonify/files.h"
 #include "insonify/scenario_requests.h"
 #include "insonify/simulator.h"
+#include "support/test_engine.h"
 
 namespace insonify::selection_test {
 namespace {
@@ -32,7 +32,9 @@ class Scan {
           Scenario scenario = load_scenario(INSONIFY_SOURCE_DIR "/scenes/" + name + ".yaml");
           Scene scene = load_scene(scenario);
           return Simulator(std::move(scenario), std::move(scene), 2);
-        }()) {}
+        }()) {
+    engine_.set_scene(simulator_.scene());
+  }
 
   [[nodiscard]] int phases() const { return *simulator_.sonar(0).sampling.columns_per_beam; }
 
@@ -44,7 +46,7 @@ class Scan {
     Tally tally;
     auto all = reference_.cbegin();
     for_pings(secondary, stagger_phase, [&](const EchoGrid& grid) {
-      const RayCounts counts = simulator_.engine().ray_counts();
+      const RayCounts counts = engine_.ray_counts();
       tally.rays += static_cast<double>(counts.secondary + counts.return_legs);
       for (int beam = 0; beam < sonar.beam_count; ++beam) {
         for (int bin = 0; bin < sonar.bin_count; ++bin) {
@@ -78,12 +80,13 @@ class Scan {
     const std::uint64_t step = sonar.beam_count == 1 ? 10 : 1;
     EchoGrid grid(sonar.beam_count, sonar.bin_count, kPathOrders);
     for (std::uint64_t ping = 0; ping < static_cast<std::uint64_t>(scenario.pings); ping += step) {
-      simulator_.engine().insonify(*plan, simulator_.world_from_head(0, ScenarioRequests(scenario).at(0, ping)), grid);
+      engine_.insonify(*plan, simulator_.world_from_head(0, ScenarioRequests(scenario).at(0, ping)), grid);
       visit(grid);
     }
   }
 
   Simulator simulator_;
+  TestEngine engine_{"cpu", 2};
   std::vector<EchoGrid> reference_;  // Echoes of each ping with `all`, first stagger phase.
 };
 

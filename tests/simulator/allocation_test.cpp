@@ -114,7 +114,7 @@ int allocations_of_pings(const Scenario& scenario, int threads, double open_shar
   for (int i = 0; i < 6 && (i == 0 || last > 0); ++i) {
     last = allocations_of(100);
   }
-  EXPECT_GT(simulator.engine().ray_counts().return_legs, 0U);
+  EXPECT_GT(simulator.ray_counts().return_legs, 0U);
   return last;
 }
 

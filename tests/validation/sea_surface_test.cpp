@@ -3,8 +3,8 @@
 
 #include "insonify/sea_surface.h"
 
-#include "echo/engine.h"
 #include "insonify/acoustics/surface_scattering.h"
+#include "support/test_engine.h"
 #include "validation/calibrated_scene.h"
 
 namespace insonify::validation::sea_surface_test {
@@ -108,7 +108,7 @@ TEST_P(SeaSurfaceEchoTest, GhostsOfBodiesLoseByTheirGrazingAngle) {
         sea.rms_height = 0;  // A sharp ghost: waves would blur it.
         const Scene scene = scene_of_all(
             {plane(-Vec3::UnitZ(), Vec3::Zero(), sea), sphere_at({ahead, 0, -kDepth}, 0.25, diffuse(-10), 0.1)});
-        const auto engine = make_engine(GetParam().engine, 2);
+        const auto engine = test_engine(GetParam().engine, 2);
         engine->set_scene(scene);
         EchoGrid grid(sonar.beam_count, sonar.bin_count, kPathOrders);
         engine->insonify(*make_ping_plan({.sonar = sonar,

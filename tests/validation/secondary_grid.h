@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "echo/engine.h"
+#include "support/test_engine.h"
 #include "validation/calibrated_scene.h"
 
 namespace insonify::validation {
@@ -16,7 +16,7 @@ struct SecondaryOptions {
 
 inline EchoGrid secondary_grid(const Method& method, const Scene& scene, const SonarConfig& sonar,
                                const Pose& world_from_sonar, const SecondaryOptions& options = {}) {
-  const auto engine = make_engine(method.engine, 2);
+  const auto engine = test_engine(method.engine, 2);
   engine->set_scene(scene);
   EchoGrid grid(sonar.beam_count, sonar.bin_count, kPathOrders);
   engine->insonify(*make_ping_plan({.sonar = sonar,

@@ -2,8 +2,8 @@
 
 #pragma once
 
-#include "echo/engine.h"
 #include "echo/walks/random_walks.h"
+#include "support/test_engine.h"
 #include "validation/calibrated_scene.h"
 
 namespace insonify::validation {
@@ -13,18 +13,20 @@ struct WalkScene {
   WalkScene(const char* engine_name, Scene the_scene, const PingPlanSettings& settings, const Vec3& position, int walks,
             std::uint64_t seed = 5)
       : scene(std::move(the_scene)),
-        engine(make_engine(engine_name, 2)),
+        engine(test_engine(engine_name)),
         plan(planned(settings)),
         grid(settings.sonar.beam_count, settings.sonar.bin_count, kPathOrders),
         world_from_sonar{.position = position},
-        random_walks({.count = walks, .first_beam = 0, .beam_count = settings.sonar.beam_count, .seed = seed}) {
+        walk_settings{.count = walks, .first_beam = 0, .beam_count = settings.sonar.beam_count, .seed = seed} {
     engine->set_scene(scene);
   }
 
   /// The grid of the walks of one ping; nothing else is in it.
-  const EchoGrid& ping(std::uint64_t number) {
+  const EchoGrid& ping(std::uint64_t number, const RandomWalks::Elsewhere& elsewhere = {}) {
     grid.clear();
-    random_walks.add(*plan, world_from_sonar, number, {}, *engine, grid);
+    walk_settings.elsewhere = elsewhere;
+    RandomWalks walks(walk_settings);
+    engine->add(walks, *plan, world_from_sonar, number, grid);
     return grid;
   }
 
@@ -56,11 +58,11 @@ struct WalkScene {
   }
 
   Scene scene;
-  std::unique_ptr<Engine> engine;
+  std::unique_ptr<TestEngine> engine;
   std::shared_ptr<const PingPlan> plan;
   EchoGrid grid;
   Pose world_from_sonar;
-  RandomWalks random_walks;
+  RandomWalks::Settings walk_settings;
 };
 
 /// Mean and standard error of values.

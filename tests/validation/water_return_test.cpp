@@ -170,7 +170,7 @@ TEST(WalkWaterTest, WalksLeaveOutTheWaysBackByTheWater) {
     scene.materials[2].rms_height = rms_height;
     WalkScene walks("cpu", scene, {.sonar = sonar, .water = {.sound_speed = 1500, .absorption = false}}, kSonar,
                     40'000);
-    walks.random_walks.add(*walks.plan, walks.world_from_sonar, 0, {.water = surface}, *walks.engine, walks.grid);
+    static_cast<void>(walks.ping(0, {.water = surface}));
     return walks.energy(3);
   };
   const double all = energy(kNoSurface, 0), rest = energy(water, 0);
@@ -188,7 +188,7 @@ TEST(WalkWaterTest, WalksLeaveOutTheWaysBackByTheWater) {
   const auto own = [&](bool endless) {
     Scene seen = still;
     seen.instances[2].endless = endless;
-    const auto engine = make_engine("cpu", 2);
+    const auto engine = test_engine("cpu", 2);
     engine->set_scene(seen);
     EchoGrid grid(sonar.beam_count, sonar.bin_count, kPathOrders);
     engine->insonify(*plan, {.position = kSonar}, grid);

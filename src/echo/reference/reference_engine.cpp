@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "echo/batch/host_batch.h"
 #include "echo/model/normal_turns.h"
 #include "echo/model/see_through.h"
 #include "echo/reference/reference_column.h"
@@ -45,11 +46,26 @@ void insonify_behind(const PingPlan& plan, int first, std::span<ReferenceColumn>
   }
 }
 
+class ReferenceBatch final : public HostBatch {
+ public:
+  ReferenceBatch(ReferenceEngine& engine, Workers& workers) : HostBatch(workers), engine_(engine) {}
+
+ protected:
+  void insonify(std::span<const PingView> views) override {
+    for (std::size_t i = 0; i < views.size(); ++i) {
+      counts_[i] = engine_.insonify(views[i], *grids_[i]);
+    }
+  }
+
+ private:
+  ReferenceEngine& engine_;
+};
+
 }  // namespace
 
 const EngineKind ReferenceEngine::kKind = {
-    .name = "reference", .brute_force = true, .make = [](int threads) -> std::unique_ptr<Engine> {
-      return std::make_unique<ReferenceEngine>(threads);
+    .name = "reference", .brute_force = true, .make = [](Workers& workers) -> std::unique_ptr<Engine> {
+      return std::make_unique<ReferenceEngine>(workers);
     }};
 
 void ReferenceEngine::set_scene(const Scene& scene) {
@@ -57,23 +73,46 @@ void ReferenceEngine::set_scene(const Scene& scene) {
   scene_.set(scene, origin_);
   boxes_.set(scene, origin_);
   left_out_ = nullptr;
+  moved_.clear();
 }
 
-void ReferenceEngine::move_instance(int instance, const Pose& world_from_mesh) {
+void ReferenceEngine::move(int instance, const Pose& world_from_mesh) {
   scene_.move(instance, world_from_mesh);
   boxes_.move(instance, {world_from_mesh.position - origin_, world_from_mesh.orientation});
 }
 
-void ReferenceEngine::trace(std::span<const Ray> rays, std::span<Hit> hits) {
-  workers_.for_each(static_cast<int>(rays.size()), [&](int i, int) {
-    const RayHit hit = scene_.nearest(rays[i]);
-    hits[i] = {.distance = hit.distance};
-    if (hit.met()) {
-      const bool from_behind = hit.normal.dot(rays[i].direction) > 0;
-      hits[i] = {hit.distance, from_behind ? Vec3(-hit.bent) : hit.bent, hit.instance, hit.material, hit.reflectivity,
-                 hit.texture};
+void ReferenceEngine::place(const Placement& placement) {
+  for (const int instance : moved_) {
+    move(instance, placement.at_home[static_cast<std::size_t>(instance)]);
+  }
+  moved_.clear();
+  for (const Placement::Moved& one : placement.moved) {
+    move(one.instance, one.world_from_mesh);
+    moved_.push_back(one.instance);
+  }
+}
+
+std::unique_ptr<EchoBatch> ReferenceEngine::make_batch() {
+  return std::make_unique<ReferenceBatch>(*this, workers_);
+}
+
+void ReferenceEngine::trace(std::span<const RayRun> runs) {
+  for (const RayRun& run : runs) {
+    if (run.placement != nullptr) {
+      place(*run.placement);
     }
-  });
+    workers_.for_each(static_cast<int>(run.rays.size()), [&](int i, int) {
+      const Ray& ray = run.rays[i];
+      const RayHit hit = scene_.nearest(ray);
+      run.hits[i] = {.distance = hit.distance};
+      if (hit.met()) {
+        const bool from_behind = hit.normal.dot(ray.direction) > 0;
+        run.hits[i] = {hit.distance,     from_behind ? Vec3(-hit.bent) : hit.bent,
+                       hit.instance,     hit.material,
+                       hit.reflectivity, hit.texture};
+      }
+    });
+  }
 }
 
 SecondarySampling ReferenceEngine::choose_sampling(const PingPlan& plan, const Pose& world_from_sonar) {
@@ -82,7 +121,12 @@ SecondarySampling ReferenceEngine::choose_sampling(const PingPlan& plan, const P
   return probes_.choose(plan, origin_, boxes_);
 }
 
-void ReferenceEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, EchoGrid& grid) {
+RayCounts ReferenceEngine::insonify(const PingView& view, EchoGrid& grid) {
+  if (view.placement != nullptr) {
+    place(*view.placement);
+  }
+  const PingPlan& plan = *view.plan;
+  const Pose& world_from_sonar = view.world_from_sonar;
   const int beams = plan.sonar.beam_count, per_beam = plan.lattice.columns_per_beam;
   const SecondarySampling sampling = choose_sampling(plan, world_from_sonar);
   std::vector<RayCounts> counts(beams);
@@ -112,10 +156,11 @@ void ReferenceEngine::insonify(const PingPlan& plan, const Pose& world_from_sona
       deposit(plan, echo, grid);
     }
   }
-  counts_ = {.secondary = probes_.hits().size()};
+  RayCounts all{.secondary = probes_.hits().size()};
   for (const RayCounts& of_beam : counts) {
-    counts_ += of_beam;
+    all += of_beam;
   }
+  return all;
 }
 
 }  // namespace insonify

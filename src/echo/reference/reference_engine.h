@@ -14,27 +14,33 @@ namespace insonify {
 /// Slow and simple: no ray-tracing library, scattering laws from echo/model/echo_laws.h.
 class ReferenceEngine final : public Engine {
  public:
-  explicit ReferenceEngine(int threads) : Engine(threads) {}
+  explicit ReferenceEngine(Workers& workers) : workers_(workers) {}
 
   static const EngineKind kKind;
   [[nodiscard]] const EngineKind& kind() const override { return kKind; }
   void set_scene(const Scene& scene) override;
   void leave_out(std::shared_ptr<const LeftOut> left_out) override { left_out_ = std::move(left_out); }
-  void move_instance(int instance, const Pose& world_from_mesh) override;
-  void insonify(const PingPlan& plan, const Pose& world_from_sonar, EchoGrid& grid) override;
-  void trace(std::span<const Ray> rays, std::span<Hit> hits) override;
-  [[nodiscard]] RayCounts ray_counts() const override { return counts_; }
+  void place(const Placement& placement) override;
+  [[nodiscard]] std::unique_ptr<EchoBatch> make_batch() override;
+  using Engine::trace;
+  void trace(std::span<const RayRun> runs) override;
   [[nodiscard]] EngineMemory memory() const override { return {scene_.bytes(), 0}; }
 
+  /// Fills the grid with the echoes of one ping.
+  /// @return Rays traced.
+  RayCounts insonify(const PingView& view, EchoGrid& grid);
+
  private:
+  void move(int instance, const Pose& world_from_mesh);
   SecondarySampling choose_sampling(const PingPlan& plan, const Pose& world_from_sonar);
 
+  Workers& workers_;
   TriangleScene scene_;
   std::shared_ptr<const LeftOut> left_out_;
+  std::vector<int> moved_;      // Instances that are not where the scene has them.
   Vec3 origin_ = Vec3::Zero();  // World position that reliefs and boxes are relative to.
   BoxCut boxes_;                // Only for SamplingProbes, so that all engines select the same hits.
   SamplingProbes probes_;
-  RayCounts counts_;
 };
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// corner_echoes.cpp -- traces a line of sight to each corner that opens towards the sonar.
+// corner_echoes.cpp -- asks for a line of sight to each corner that opens towards the sonar.
 
 #include "echo/targets/corner_echoes.h"
 
@@ -34,30 +34,20 @@ bool has_water(const Corner& corner) {
 
 }  // namespace
 
-CornerEchoes::CornerEchoes(std::shared_ptr<const std::vector<Corner>> corners) : corners_(std::move(corners)) {
-  const std::size_t most = corners_ ? corners_->size() : 0;
-  views_.reserve(most);
-  rays_.reserve(most);
-  hits_.resize(most);
-  sight_rays_ = SightRays(most);
+CornerEchoes::CornerEchoes(std::shared_ptr<const std::vector<Corner>> corners) : corners_(std::move(corners)) {}
+
+bool CornerEchoes::act(const std::vector<Corner>& corners, const PingPlan& plan) {
+  return !corners.empty() && plan.secondary != SecondaryEchoes::kNone && plan.max_surfaces >= 3;
 }
 
-bool CornerEchoes::act(const PingPlan& plan) const {
-  return corners_ && !corners_->empty() && plan.secondary != SecondaryEchoes::kNone && plan.max_surfaces >= 3;
-}
-
-void CornerEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, std::span<const Pose> world_from_mesh,
-                       Engine& engine, EchoGrid& grid) {
-  if (!act(plan)) {
-    return;
-  }
-  views_.clear();
-  rays_.clear();
-  const Pose sonar_from_world = world_from_sonar.inverse();
+void CornerEchoes::ask(const PingView& view, Workers&, RayList& rays) {
+  openings_.clear();
+  const PingPlan& plan = *view.plan;
+  const Pose sonar_from_world = view.world_from_sonar.inverse();
   for (const Corner& corner : *corners_) {
-    const Pose frame = corner.instance < 0 ? Pose{} : world_from_mesh[static_cast<std::size_t>(corner.instance)];
+    const Pose frame = corner.instance < 0 ? Pose{} : (*view.placement)[corner.instance];
     const Vec3 apex = frame * corner.apex;
-    const Vec3 to_sonar = world_from_sonar.position - apex;
+    const Vec3 to_sonar = view.world_from_sonar.position - apex;
     const double range = to_sonar.norm();
     const Vec3 sight = corner.axes.transpose() * (frame.orientation.inverse() * to_sonar) / range;
     if (!(sight.minCoeff() > kLeastSine) || plan.bin_of(static_cast<float>(range)) < 0) {
@@ -65,24 +55,27 @@ void CornerEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, std::
     }
     const Vec3f direction = (sonar_from_world * apex).normalized().cast<float>();
     if (plan.receives(direction)) {
-      views_.push_back({&corner, sight, range, plan.arrival_from(direction)});
-      rays_.push_back({world_from_sonar.position, -to_sonar / range, 0, range - Corner::kGap});
+      openings_.push_back({&corner, sight, range, plan.arrival_from(direction)});
+      rays.sights.push_back({view.world_from_sonar.position, -to_sonar / range, 0, range - Corner::kGap});
     }
   }
-  sight_rays_.trace(plan, engine, rays_, std::span(hits_).first(rays_.size()));
-  for (std::size_t i = 0; i < views_.size(); ++i) {
-    if (std::isfinite(hits_[i].distance)) {
+}
+
+void CornerEchoes::answer(const PingView& view, const RayAnswers& hits, Workers&, RayList&, EchoList& found) {
+  const PingPlan& plan = *view.plan;
+  for (std::size_t i = 0; i < hits.sights.size(); ++i) {
+    if (!hits.is_clear(i)) {
       continue;
     }
-    const View& view = views_[i];
+    const Opening& open = openings_[i];
     // Carrier cycles per metre of range: two wavelengths of path.
     const double wavelength = 2 / plan.turns_per_metre;
-    const double intensity = view.corner->reflected(view.sight, view.range, wavelength) *
-                             reflectance_of(plan, *view.corner, view.sight) *
-                             std::exp(-4 * double{plan.neper_per_metre} * view.range) * view.arrival.both_ways() *
-                             sight_rays_.passed(i) * sight_rays_.passed(i);
-    const double turns = plan.turns_per_metre * view.range + (has_water(*view.corner) ? 0.5 : 0.0);
-    add_discrete_echo(plan, view.arrival, 3, view.range, intensity, turns, grid);
+    const double intensity = open.corner->reflected(open.sight, open.range, wavelength) *
+                             reflectance_of(plan, *open.corner, open.sight) *
+                             std::exp(-4 * double{plan.neper_per_metre} * open.range) * open.arrival.both_ways() *
+                             hits.passed(i) * hits.passed(i);
+    const double turns = plan.turns_per_metre * open.range + (has_water(*open.corner) ? 0.5 : 0.0);
+    add_discrete_echo(plan, open.arrival, 3, open.range, intensity, turns, found);
   }
 }
 

@@ -1,4 +1,4 @@
-// edge_echoes.cpp -- finds the edges at broadside, traces a line of sight to each, and computes its echo.
+// edge_echoes.cpp -- finds the edges at broadside, asks whether each is hidden, and computes its echo.
 
 #include "echo/targets/edge_echoes.h"
 
@@ -58,26 +58,20 @@ EdgeEcho edge_integral(double foot, double half, double distance, double wavelen
           std::arg(sum) / (2 * std::numbers::pi) - 2 * (range - distance) / wavelength};
 }
 
-EdgeEchoes::EdgeEchoes(std::shared_ptr<const StraightEdges> edges) : edges_(std::move(edges)) {
-  if (edges_ && edges_->any()) {
-    near_.resize(edges_->most_of_a_group());
-    views_.reserve(kMostTogether);
-    rays_.reserve(kMostTogether);
-    hits_.resize(kMostTogether);
-    sight_rays_ = SightRays(kMostTogether);
-  }
-}
+EdgeEchoes::EdgeEchoes(std::shared_ptr<const StraightEdges> edges, const FaceGlints* glints)
+    : edges_(std::move(edges)), glints_(glints), near_(edges_->most_of_a_group()) {}
 
-// Adds views and rays of the edges of one group that are at broadside.
+// Adds the edges of one group that are at broadside, and a ray to each.
 void EdgeEchoes::find(const PingPlan& plan, const Pose& world_from_sonar, const Pose& world_from_group,
-                      const StraightEdges::Group& group, std::span<const std::uint8_t> shown) {
+                      const StraightEdges::Group& group, RayList& rays) {
+  const std::span<const std::uint8_t> shown = glints_ != nullptr ? glints_->shown() : std::span<const std::uint8_t>();
   const Vec3 sonar = world_from_group.inverse() * world_from_sonar.position;
   const Pose sonar_from_group = world_from_sonar.inverse() * world_from_group;
   const Vec3f at = sonar.cast<float>();
   const double wavelength = 2 / plan.turns_per_metre;
   const auto count = static_cast<int>(group.edges.size());
   find_broadside(count, at.x(), at.y(), at.z(), plan.wavelength(), group, near_.data());
-  for (int i = 0; i < count && views_.size() < kMostTogether; ++i) {
+  for (int i = 0; i < count && broadside_.size() < kMostTogether; ++i) {
     if (near_[i] == 0) {
       continue;
     }
@@ -124,43 +118,52 @@ void EdgeEchoes::find(const PingPlan& plan, const Pose& world_from_sonar, const 
     const EdgeEcho echo = edge_integral(foot, edge.half, distance, wavelength);
     const double amplitude = scattered * echo.amplitude;
     const PingPlan::Arrival arrival = plan.arrival_from(direction);
-    views_.push_back(
+    broadside_.push_back(
         {range,
          amplitude * amplitude * share * std::exp(-4 * double{plan.neper_per_metre} * range) * arrival.both_ways(),
          echo.turns + (scattered < 0 ? 0.5 : 0.0), arrival});
     const Vec3 towards = world_from_sonar.orientation * direction.cast<double>();
-    rays_.push_back({world_from_sonar.position, towards.normalized(), 0, std::max(range - kBefore, 0.0)});
+    rays.sights.push_back({world_from_sonar.position, towards.normalized(), 0, std::max(range - kBefore, 0.0)});
   }
 }
 
-void EdgeEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, std::span<const Pose> world_from_mesh,
-                     std::span<const std::uint8_t> shown, Engine& engine, EchoGrid& grid) {
-  if (!edges_ || !edges_->any() || plan.rough_mirrors) {
+void EdgeEchoes::find_all(const PingView& view, RayList& rays) {
+  for (const StraightEdges::Group& group : edges_->groups) {
+    find(*view.plan, view.world_from_sonar, StraightEdges::frame(group, *view.placement), group, rays);
+  }
+  asked_ = true;
+}
+
+void EdgeEchoes::ask(const PingView& view, Workers&, RayList& rays) {
+  broadside_.clear();
+  asked_ = view.plan->rough_mirrors;
+  if (!asked_ && (glints_ == nullptr || glints_->is_done())) {
+    find_all(view, rays);
+  }
+}
+
+void EdgeEchoes::answer(const PingView& view, const RayAnswers& hits, Workers&, RayList& more, EchoList& found) {
+  if (!asked_ && glints_->is_done()) {
+    find_all(view, more);
     return;
   }
-  views_.clear();
-  rays_.clear();
-  for (const StraightEdges::Group& group : edges_->groups) {
-    find(plan, world_from_sonar, StraightEdges::frame(group, world_from_mesh), group, shown);
-  }
-  sight_rays_.trace(plan, engine, rays_, std::span(hits_).first(rays_.size()));
   // Removes hidden edges, and all but the strongest kMostEchoes.
   std::size_t seen = 0;
-  for (std::size_t i = 0; i < views_.size(); ++i) {
-    if (!std::isfinite(hits_[i].distance)) {
-      const double passed = sight_rays_.passed(i);
-      views_[seen] = views_[i];
-      views_[seen++].intensity *= passed * passed;
+  for (std::size_t i = 0; i < hits.sights.size(); ++i) {
+    if (hits.is_clear(i)) {
+      const double passed = hits.passed(i);
+      broadside_[seen] = broadside_[i];
+      broadside_[seen++].intensity *= passed * passed;
     }
   }
-  views_.resize(seen);
   if (seen > kMostEchoes) {
-    std::ranges::nth_element(views_, views_.begin() + kMostEchoes, std::greater<>(), &View::intensity);
-    views_.resize(kMostEchoes);
+    broadside_.resize(seen);
+    std::ranges::nth_element(broadside_, broadside_.begin() + kMostEchoes, std::greater<>(), &Broadside::intensity);
+    seen = kMostEchoes;
   }
-  for (const View& view : views_) {
-    add_discrete_echo(plan, view.arrival, 1, view.range, view.intensity, plan.turns_per_metre * view.range + view.turns,
-                      grid);
+  for (const Broadside& edge : std::span(broadside_).first(seen)) {
+    add_discrete_echo(*view.plan, edge.arrival, 1, edge.range, edge.intensity,
+                      view.plan->turns_per_metre * edge.range + edge.turns, found);
   }
 }
 

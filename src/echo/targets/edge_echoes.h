@@ -7,8 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "echo/engine.h"
-#include "echo/targets/sight_rays.h"
+#include "echo/batch/echo_source.h"
 #include "echo/targets/straight_edges.h"
 
 namespace insonify {
@@ -27,42 +26,40 @@ struct EdgeEcho {
 /// @param wavelength  [m]
 [[nodiscard]] EdgeEcho edge_integral(double foot, double half, double distance, double wavelength);
 
-/// Adds the echoes of StraightEdges at broadside to the EchoGrid as discrete echoes: wedge_backscatter() times
+/// Echoes of StraightEdges at broadside, as discrete echoes: wedge_backscatter() times
 /// edge_integral(), with |R| of each face at its angle of incidence, e^-g of their roughness, absorption, and the
 /// two-way elevation pattern (docs/concepts/scattering.md, "Edges"). Calibrated model only. An edge whose nearest point
 /// is hidden gives no echo.
-class EdgeEchoes {
+class EdgeEchoes final : public EchoSource {
  public:
   static constexpr std::size_t kMostTogether = 4096;  ///< Most edges per ping at broadside; later ones are dropped.
   static constexpr std::size_t kMostEchoes = 1024;    ///< Most echoes per ping; the strongest are used.
 
-  explicit EdgeEchoes(std::shared_ptr<const StraightEdges> edges = {});
+  /// @param glints  Source of the same ping, before this one. The glint of a face includes diffraction at its edges, so
+  ///                their terms are left out here. Null: there are no glints.
+  EdgeEchoes(std::shared_ptr<const StraightEdges> edges, const FaceGlints* glints);
 
-  /// Does not allocate.
-  /// @param world_from_mesh  [instance]
-  /// @param shown            [face] FaceGlints::shown() of this ping. The glint of a shown face includes diffraction at
-  ///                         its edges, so their terms are left out here.
-  void add(const PingPlan& plan, const Pose& world_from_sonar, std::span<const Pose> world_from_mesh,
-           std::span<const std::uint8_t> shown, Engine& engine, EchoGrid& grid);
+  void ask(const PingView& view, Workers& workers, RayList& rays) override;
+  void answer(const PingView& view, const RayAnswers& hits, Workers& workers, RayList& more, EchoList& found) override;
 
  private:
   // An edge at broadside; its line of sight may be blocked.
-  struct View {
+  struct Broadside {
     double range;
     double intensity;
     double turns;
     PingPlan::Arrival arrival;
   };
 
+  void find_all(const PingView& view, RayList& rays);
   void find(const PingPlan& plan, const Pose& world_from_sonar, const Pose& world_from_group,
-            const StraightEdges::Group& group, std::span<const std::uint8_t> shown);
+            const StraightEdges::Group& group, RayList& rays);
 
   std::shared_ptr<const StraightEdges> edges_;
-  std::vector<View> views_;
-  std::vector<Ray> rays_;  // [view]
-  std::vector<Hit> hits_;
-  SightRays sight_rays_;
-  std::vector<std::uint8_t> near_;  // [edge of a group] 1 at broadside.
+  const FaceGlints* glints_;
+  bool asked_ = false;                // Whether this ping's rays have been asked for.
+  std::vector<Broadside> broadside_;  // [sight]
+  std::vector<std::uint8_t> near_;    // [edge of a group] 1 at broadside.
 };
 
 }  // namespace insonify

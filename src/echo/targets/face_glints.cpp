@@ -1,4 +1,4 @@
-// face_glints.cpp -- finds the faces at normal incidence, traces a line of sight to each, and computes its echo.
+// face_glints.cpp -- finds the faces at normal incidence, asks whether they are hidden, and computes their echoes.
 
 #include "echo/targets/face_glints.h"
 
@@ -47,6 +47,11 @@ void find_near(int count, float x, float y, float z, float wavelength, const Gli
   }
 }
 
+// Whether something hides the place that a ray aims at.
+bool is_hidden(const RayAnswers& hits, std::size_t ray) {
+  return hits.sights[ray].distance < hits.asked.ends[ray].from;
+}
+
 }  // namespace
 
 double face_glint(const Eigen::Vector2d& foot, const Eigen::Vector2d& half, double distance, double wavelength) {
@@ -61,29 +66,18 @@ double face_glint(const Eigen::Vector2d& foot, const Eigen::Vector2d& half, doub
   return sides * cosine * cosine / (16 * range * range);
 }
 
-FaceGlints::FaceGlints(std::shared_ptr<const GlintingFaces> faces) : faces_(std::move(faces)) {
-  if (faces_ && faces_->any()) {
-    std::size_t most = 0;
-    for (const GlintingFaces::Group& group : faces_->groups) {
-      most = std::max(most, group.surface.size());
-    }
-    near_.resize(most);
-    shown_.resize(faces_->count());
-    static_assert(std::size(kAround) + 1 == kProbes);
-    constexpr std::size_t kMostRays =
-        std::max(kProbes * GlintingFaces::kMostTogether, kMostPartly * GlintWindow::kCount);
-    glints_.reserve(GlintingFaces::kMostTogether);
-    partly_.reserve(kMostPartly);
-    rays_.reserve(kMostRays);
-    hits_.resize(kMostRays);
-    ends_.reserve(kMostRays);
-    sight_rays_ = SightRays(kMostRays);
+FaceGlints::FaceGlints(std::shared_ptr<const GlintingFaces> faces) : faces_(std::move(faces)), shown_(faces_->count()) {
+  static_assert(std::size(kAround) + 1 == kProbes);
+  std::size_t most = 0;
+  for (const GlintingFaces::Group& group : faces_->groups) {
+    most = std::max(most, group.surface.size());
   }
+  near_.resize(most);
 }
 
 // Adds glints and rays of the faces of one instance that are at normal incidence.
 void FaceGlints::find(const PingPlan& plan, const Pose& world_from_sonar, const Pose& world_from_mesh,
-                      const GlintingFaces::Group& group) {
+                      const GlintingFaces::Group& group, RayList& rays) {
   const Vec3 sonar = world_from_mesh.inverse() * world_from_sonar.position;
   const Pose sonar_from_mesh = world_from_sonar.inverse() * world_from_mesh;
   const Vec3f at = sonar.cast<float>();
@@ -123,93 +117,91 @@ void FaceGlints::find(const PingPlan& plan, const Pose& world_from_sonar, const 
                            std::exp(-4 * double{plan.neper_per_metre} * range) * arrival.both_ways(),
                        arrival, window, world_from_mesh * middle, world_from_mesh.orientation * first,
                        world_from_mesh.orientation * second});
-    aim(world_from_sonar.position, glints_.back(), nearest);
+    glints_.back().aim(world_from_sonar.position, nearest, rays);
     for (const Eigen::Vector2d& probe : kAround) {
       const Eigen::Vector2d beside = nearest + probe.cwiseQuotient(scale);
-      aim(world_from_sonar.position, glints_.back(), beside.cwiseMax(-inside).cwiseMin(inside));
+      glints_.back().aim(world_from_sonar.position, beside.cwiseMax(-inside).cwiseMin(inside), rays);
     }
   }
 }
 
-// Adds a ray to a place on a face.
-void FaceGlints::aim(const Vec3& sonar, const Glint& glint, const Eigen::Vector2d& place) {
-  const Vec3 there = glint.middle + place[0] * glint.first + place[1] * glint.second - sonar;
-  const double range = there.norm();
-  rays_.push_back({sonar, there / range, 0, range + kGap});
-  ends_.push_back({range - kGap, static_cast<std::uint16_t>(glint.instance)});
-}
-
-void FaceGlints::trace(const PingPlan& plan, Engine& engine) {
-  sight_rays_.trace(plan, engine, rays_, std::span(hits_).first(rays_.size()), ends_);
-}
-
-bool FaceGlints::hidden(std::size_t ray) const {
-  return hits_[ray].distance < ends_[ray].from;
+void FaceGlints::Glint::aim(const Vec3& sonar, const Eigen::Vector2d& place, RayList& rays) const {
+  const Vec3 there = middle + place[0] * first + place[1] * second - sonar;
+  const double distance = there.norm();
+  rays.sights.push_back({sonar, there / distance, 0, distance + kGap});
+  rays.ends.push_back({distance - kGap, static_cast<std::uint16_t>(instance)});
 }
 
 // Adds a glint of which the given share of the intensity is left.
-void FaceGlints::show(const PingPlan& plan, const Glint& glint, double share, EchoGrid& grid) {
+void FaceGlints::show(const PingPlan& plan, const Glint& glint, double share, EchoList& found) {
   shown_[glint.number] = 1;
   add_discrete_echo(plan, glint.arrival, 1, glint.range, glint.intensity * share, plan.turns_per_metre * glint.range,
-                    grid);
+                    found);
 }
 
-// Adds the glints of faces that are partly hidden.
-void FaceGlints::add_partly(const PingPlan& plan, const Vec3& sonar, Engine& engine, EchoGrid& grid) {
-  rays_.clear();
-  ends_.clear();
-  for (const std::size_t i : partly_) {
-    for (int cell = 0; cell < GlintWindow::kCount; ++cell) {
-      aim(sonar, glints_[i], glints_[i].window.middle(cell));
-    }
-  }
-  trace(plan, engine);
-  std::size_t ray = 0;
-  for (const std::size_t i : partly_) {
-    std::array<double, GlintWindow::kCount> passed;
-    for (double& one : passed) {
-      one = hidden(ray) ? 0 : sight_rays_.passed(ray);
-      ++ray;
-    }
-    if (const double share = glints_[i].window.visible(passed); share > kLeastShare) {
-      show(plan, glints_[i], share, grid);
-    }
-  }
-}
-
-void FaceGlints::add(const PingPlan& plan, const Pose& world_from_sonar, std::span<const Pose> world_from_mesh,
-                     Engine& engine, EchoGrid& grid) {
+void FaceGlints::ask(const PingView& view, Workers&, RayList& rays) {
   for (const Glint& glint : glints_) {
     shown_[glint.number] = 0;
   }
   glints_.clear();
-  rays_.clear();
-  ends_.clear();
-  if (!faces_ || !faces_->any() || plan.rough_mirrors) {
+  stage_ = Stage::kDone;
+  if (view.plan->rough_mirrors) {
     return;
   }
   for (const GlintingFaces::Group& group : faces_->groups) {
-    find(plan, world_from_sonar, world_from_mesh[group.instance], group);
+    find(*view.plan, view.world_from_sonar, (*view.placement)[group.instance], group, rays);
   }
-  trace(plan, engine);
+  stage_ = glints_.empty() ? Stage::kDone : Stage::kProbes;
+}
+
+void FaceGlints::answer(const PingView& view, const RayAnswers& hits, Workers&, RayList& more, EchoList& found) {
+  if (stage_ == Stage::kProbes) {
+    answer_probes(view, hits, more, found);
+  } else if (stage_ == Stage::kPartly) {
+    answer_partly(view, hits, found);
+  }
+}
+
+// Adds the glints of faces that are not hidden, and asks for more rays to those that are partly hidden.
+void FaceGlints::answer_probes(const PingView& view, const RayAnswers& hits, RayList& more, EchoList& found) {
   partly_.clear();
   for (std::size_t i = 0; i < glints_.size(); ++i) {
     const std::size_t probe = kProbes * i;
     std::size_t hidden_probes = 0;
     for (std::size_t k = 0; k < kProbes; ++k) {
-      hidden_probes += hidden(probe + k) ? 1 : 0;
+      hidden_probes += is_hidden(hits, probe + k) ? 1 : 0;
     }
     const bool partly = hidden_probes > kStray && hidden_probes + kStray < kProbes;
     if (partly && partly_.size() < kMostPartly) {
       partly_.push_back(i);
-    } else if (2 * hidden_probes < kProbes && (hidden(probe) || hits_[probe].instance == glints_[i].instance)) {
-      const double passed = sight_rays_.passed(probe);
-      show(plan, glints_[i], passed * passed, grid);
+    } else if (2 * hidden_probes < kProbes &&
+               (is_hidden(hits, probe) || hits.sights[probe].instance == glints_[i].instance)) {
+      const double passed = hits.passed(probe);
+      show(*view.plan, glints_[i], passed * passed, found);
     }
   }
-  if (!partly_.empty()) {
-    add_partly(plan, world_from_sonar.position, engine, grid);
+  for (const std::size_t i : partly_) {
+    for (int cell = 0; cell < GlintWindow::kCount; ++cell) {
+      glints_[i].aim(view.world_from_sonar.position, glints_[i].window.middle(cell), more);
+    }
   }
+  stage_ = partly_.empty() ? Stage::kDone : Stage::kPartly;
+}
+
+// Adds the glints of faces that are partly hidden.
+void FaceGlints::answer_partly(const PingView& view, const RayAnswers& hits, EchoList& found) {
+  std::size_t ray = 0;
+  for (const std::size_t i : partly_) {
+    std::array<double, GlintWindow::kCount> passed;
+    for (double& one : passed) {
+      one = is_hidden(hits, ray) ? 0 : hits.passed(ray);
+      ++ray;
+    }
+    if (const double share = glints_[i].window.visible(passed); share > kLeastShare) {
+      show(*view.plan, glints_[i], share, found);
+    }
+  }
+  stage_ = Stage::kDone;
 }
 
 }  // namespace insonify

@@ -7,12 +7,11 @@
 #include <span>
 #include <vector>
 
-#include "echo/engine.h"
+#include "echo/batch/echo_source.h"
 #include "echo/mirror/faces.h"
 #include "echo/model/left_out.h"
 #include "echo/model/ping_plan.h"
 #include "echo/targets/glint_window.h"
-#include "echo/targets/sight_rays.h"
 
 namespace insonify {
 
@@ -56,20 +55,22 @@ struct GlintingFaces {
 [[nodiscard]] double face_glint(const Eigen::Vector2d& foot, const Eigen::Vector2d& half, double distance,
                                 double wavelength);
 
-/// Adds the coherent echoes of faces at normal incidence to the EchoGrid as discrete echoes: face_glint() times |R|^2
+/// Coherent echoes of faces at normal incidence, as discrete echoes: face_glint() times |R|^2
 /// e^-g, absorption, and the two-way elevation pattern. Calibrated model only. Nine rays look whether a face is hidden:
 /// at its nearest point and around it. Where more than one differs, the rays of a GlintWindow say what is left of the
 /// glint.
-class FaceGlints {
+class FaceGlints final : public EchoSource {
  public:
-  explicit FaceGlints(std::shared_ptr<const GlintingFaces> faces = {});
+  explicit FaceGlints(std::shared_ptr<const GlintingFaces> faces);
 
-  /// Does not allocate.
-  /// @param world_from_mesh  [instance]
-  void add(const PingPlan& plan, const Pose& world_from_sonar, std::span<const Pose> world_from_mesh, Engine& engine,
-           EchoGrid& grid);
+  void ask(const PingView& view, Workers& workers, RayList& rays) override;
+  void answer(const PingView& view, const RayAnswers& hits, Workers& workers, RayList& more, EchoList& found) override;
 
-  /// [face of all groups] 1 if the last add() added the face's glint; see GlintingFaces::Group::first_number.
+  /// Whether it needs no more rays at this ping.
+  [[nodiscard]] bool is_done() const { return stage_ == Stage::kDone; }
+
+  /// [face of all groups] 1 for faces whose glint this ping has, once is_done(); see
+  /// GlintingFaces::Group::first_number.
   [[nodiscard]] std::span<const std::uint8_t> shown() const { return shown_; }
 
  private:
@@ -86,24 +87,24 @@ class FaceGlints {
     GlintWindow window;
     Vec3 middle;         // Middle of the face in the world [m].
     Vec3 first, second;  // Unit vectors along its sides, in the world.
+
+    // Adds a ray to a place on the face.
+    void aim(const Vec3& sonar, const Eigen::Vector2d& place, RayList& rays) const;
   };
 
+  enum class Stage { kProbes, kPartly, kDone };  // Whose rays are being traced.
+
   void find(const PingPlan& plan, const Pose& world_from_sonar, const Pose& world_from_mesh,
-            const GlintingFaces::Group& group);
-  void aim(const Vec3& sonar, const Glint& glint, const Eigen::Vector2d& place);
-  void trace(const PingPlan& plan, Engine& engine);
-  [[nodiscard]] bool hidden(std::size_t ray) const;
-  void show(const PingPlan& plan, const Glint& glint, double share, EchoGrid& grid);
-  void add_partly(const PingPlan& plan, const Vec3& sonar, Engine& engine, EchoGrid& grid);
+            const GlintingFaces::Group& group, RayList& rays);
+  void show(const PingPlan& plan, const Glint& glint, double share, EchoList& found);
+  void answer_probes(const PingView& view, const RayAnswers& hits, RayList& more, EchoList& found);
+  void answer_partly(const PingView& view, const RayAnswers& hits, EchoList& found);
 
   std::shared_ptr<const GlintingFaces> faces_;
+  Stage stage_ = Stage::kDone;
   std::vector<Glint> glints_;
   std::vector<std::size_t> partly_;  // Indices of the glints of faces that are partly hidden.
-  std::vector<Ray> rays_;            // [glint][probe], then [partly hidden][cell]
-  std::vector<Hit> hits_;
   std::vector<std::uint8_t> shown_;
-  std::vector<SightEnd> ends_;
-  SightRays sight_rays_;
   std::vector<std::uint8_t> near_;  // [face of a group] 1 at normal incidence.
 };
 

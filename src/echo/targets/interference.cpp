@@ -45,36 +45,42 @@ double sound_speed_of(const PingPlan& plan) {
 
 }  // namespace
 
-void add_pulse(const PingPlan& plan, const ArrivingPulse& pulse, EchoGrid& grid) {
+void add_pulse(const PingPlan& plan, const ArrivingPulse& pulse, EchoList& echoes) {
   const double sound_speed = sound_speed_of(plan);
   const int first = std::max(0, bin_after(plan, pulse.begins, sound_speed));
   const int last = std::min(bin_after(plan, pulse.begins + pulse.duration, sound_speed), plan.sonar.bin_count - 1);
   for (int bin = first; bin <= last; ++bin) {
-    grid.discrete_echoes().push_back({.beam = pulse.beam,
-                                      .bin = bin,
-                                      .order = kNoEcho,
-                                      .bearing_sine = pulse.bearing_sine,
-                                      .intensity = pulse.intensity,
-                                      .turns = phase_of(plan, pulse.source, pulse.number, bin)});
+    echoes.discrete.push_back({.beam = pulse.beam,
+                               .bin = bin,
+                               .order = kNoEcho,
+                               .bearing_sine = pulse.bearing_sine,
+                               .intensity = pulse.intensity,
+                               .turns = phase_of(plan, pulse.source, pulse.number, bin)});
   }
 }
 
-Interference::Interference(std::span<const Interferer> interferers)
-    : interferers_(interferers), lines_(places_of(interferers)) {}
+Interference::Interference(std::span<const Interferer> interferers, bool has_array)
+    : interferers_(interferers), has_array_(has_array), lines_(places_of(interferers)) {}
 
-void Interference::add(const PingPlan& plan, const Pose& world_from_sonar, double time, bool has_array, Engine& engine,
-                       EchoGrid& grid) {
-  const auto sights = lines_.listen(plan, world_from_sonar, has_array, engine);
+void Interference::ask(const PingView& view, Workers&, RayList& rays) {
+  lines_.ask(view, rays);
+}
+
+void Interference::answer(const PingView& view, const RayAnswers& hits, Workers&, RayList&, EchoList& found) {
+  if (hits.sights.empty()) {
+    return;
+  }
+  const auto sights = lines_.listen(view, has_array_, hits);
   for (std::size_t i = 0; i < interferers_.size(); ++i) {
     if (sights[i]) {
-      add_pulses(plan, i, *sights[i], time, grid);
+      add_pulses(*view.plan, i, *sights[i], view.time, found);
     }
   }
 }
 
 // Adds the pulses that overlap the time in which the ping is received.
 void Interference::add_pulses(const PingPlan& plan, std::size_t index, const LinesOfSight::Sight& sight, double time,
-                              EchoGrid& grid) {
+                              EchoList& found) {
   const Interferer& other = interferers_[index];
   const double sound_speed = sound_speed_of(plan);
   const double listening = 2 * double{plan.true_max_range} / sound_speed;
@@ -94,7 +100,7 @@ void Interference::add_pulses(const PingPlan& plan, std::size_t index, const Lin
                .duration = other.duration,
                .source = static_cast<std::uint32_t>(index),
                .number = pulse},
-              grid);
+              found);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "echo/batch/echo_source.h"
 #include "echo/targets/lines_of_sight.h"
 #include "insonify/interferer.h"
 
@@ -21,27 +22,27 @@ struct ArrivingPulse {
   std::int64_t number;   ///< Index of the pulse.
 };
 
-/// Adds a pulse to the EchoGrid's discrete echoes, in all bins that it overlaps.
-void add_pulse(const PingPlan& plan, const ArrivingPulse& pulse, EchoGrid& grid);
+/// Adds a pulse to the discrete echoes, in all bins that it overlaps.
+void add_pulse(const PingPlan& plan, const ArrivingPulse& pulse, EchoList& echoes);
 
-/// Adds the pulses of other sonars to the EchoGrid as discrete echoes, in the bins of their times of arrival.
+/// Pulses of other sonars, as discrete echoes in the bins of their times of arrival.
 /// Calibrated model only. Their level is the other's source level relative to this sonar's, minus the one-way
 /// transmission loss 20 log10 r + alpha r, times the receiver's elevation pattern.
-class Interference {
+class Interference final : public EchoSource {
  public:
-  explicit Interference(std::span<const Interferer> interferers);
+  /// @param has_array  Whether the receiving beams have side lobes across bearings, through which the sonar receives
+  ///                   sound from beside its fan.
+  Interference(std::span<const Interferer> interferers, bool has_array);
 
-  /// Adds to the grid's discrete echoes.
-  /// @param time       Time of this sonar's transmission [s].
-  /// @param has_array  Whether its beams have side lobes across bearings, through which it hears beside its fan.
-  void add(const PingPlan& plan, const Pose& world_from_sonar, double time, bool has_array, Engine& engine,
-           EchoGrid& grid);
+  void ask(const PingView& view, Workers& workers, RayList& rays) override;
+  void answer(const PingView& view, const RayAnswers& hits, Workers& workers, RayList& more, EchoList& found) override;
 
  private:
   void add_pulses(const PingPlan& plan, std::size_t index, const LinesOfSight::Sight& sight, double time,
-                  EchoGrid& grid);
+                  EchoList& found);
 
   std::span<const Interferer> interferers_;
+  bool has_array_;
   LinesOfSight lines_;
 };
 

@@ -1,4 +1,4 @@
-// lines_of_sight.cpp -- traces all lines of sight in one call of the engine.
+// lines_of_sight.cpp -- lines of sight to places, and the beams that receive sound from there.
 
 #include "echo/targets/lines_of_sight.h"
 
@@ -23,45 +23,41 @@ std::optional<int> beam_hearing(const PingPlan& plan, const Vec3f& direction, bo
   return arrival.bearing > 0 ? 0 : plan.sonar.beam_count - 1;
 }
 
-LinesOfSight::LinesOfSight(std::vector<Vec3> places)
-    : places_(std::move(places)),
-      rays_(places_.size()),
-      hits_(places_.size()),
-      sight_rays_(places_.size()),
-      sights_(places_.size()) {}
+LinesOfSight::LinesOfSight(std::vector<Vec3> places) : places_(std::move(places)), sights_(places_.size()) {}
+
+void LinesOfSight::ask(const PingView& view, RayList& rays) const {
+  for (const Vec3& place : places_) {
+    const Vec3 there = place - view.world_from_sonar.position;
+    const double range = there.norm();
+    rays.sights.push_back({view.world_from_sonar.position, range > 0 ? Vec3(there / range) : Vec3(Vec3::UnitX()), 0,
+                           range - double{kRayClearance}});
+  }
+}
 
 // @param beam_of  Beam that a direction is received in, if any.
 template <typename BeamOf>
-std::span<const std::optional<LinesOfSight::Sight>> LinesOfSight::see(const PingPlan& plan,
-                                                                      const Pose& world_from_sonar, Engine& engine,
+std::span<const std::optional<LinesOfSight::Sight>> LinesOfSight::see(const PingView& view, const RayAnswers& hits,
                                                                       const BeamOf& beam_of) {
-  for (std::size_t i = 0; i < places_.size(); ++i) {
-    const Vec3 there = places_[i] - world_from_sonar.position;
-    const double range = there.norm();
-    rays_[i] = {world_from_sonar.position, range > 0 ? Vec3(there / range) : Vec3(Vec3::UnitX()), 0,
-                range - double{kRayClearance}};
-  }
-  sight_rays_.trace(plan, engine, rays_, hits_);
-  const Pose sonar_from_world = world_from_sonar.inverse();
+  const Pose sonar_from_world = view.world_from_sonar.inverse();
   for (std::size_t i = 0; i < places_.size(); ++i) {
     const Vec3 local = sonar_from_world * places_[i];
     const double range = local.norm();
     const Vec3f direction = (local / range).cast<float>();
     sights_[i].reset();
-    if (!(range >= kNearest) || std::isfinite(hits_[i].distance)) {
+    if (!(range >= kNearest) || !hits.is_clear(i)) {
       continue;
     }
     if (const std::optional<int> beam = beam_of(direction)) {
-      sights_[i] = Sight{
-          .range = range, .beam = *beam, .arrival = plan.arrival_from(direction), .passed = sight_rays_.passed(i)};
+      sights_[i] =
+          Sight{.range = range, .beam = *beam, .arrival = view.plan->arrival_from(direction), .passed = hits.passed(i)};
     }
   }
   return sights_;
 }
 
-std::span<const std::optional<LinesOfSight::Sight>> LinesOfSight::look(const PingPlan& plan,
-                                                                       const Pose& world_from_sonar, Engine& engine) {
-  return see(plan, world_from_sonar, engine, [&](const Vec3f& direction) -> std::optional<int> {
+std::span<const std::optional<LinesOfSight::Sight>> LinesOfSight::look(const PingView& view, const RayAnswers& hits) {
+  const PingPlan& plan = *view.plan;
+  return see(view, hits, [&](const Vec3f& direction) -> std::optional<int> {
     if (!plan.receives(direction)) {
       return {};
     }
@@ -69,11 +65,9 @@ std::span<const std::optional<LinesOfSight::Sight>> LinesOfSight::look(const Pin
   });
 }
 
-std::span<const std::optional<LinesOfSight::Sight>> LinesOfSight::listen(const PingPlan& plan,
-                                                                         const Pose& world_from_sonar, bool has_array,
-                                                                         Engine& engine) {
-  return see(plan, world_from_sonar, engine,
-             [&](const Vec3f& direction) { return beam_hearing(plan, direction, has_array); });
+std::span<const std::optional<LinesOfSight::Sight>> LinesOfSight::listen(const PingView& view, bool has_array,
+                                                                         const RayAnswers& hits) {
+  return see(view, hits, [&](const Vec3f& direction) { return beam_hearing(*view.plan, direction, has_array); });
 }
 
 }  // namespace insonify

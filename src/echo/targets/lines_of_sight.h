@@ -6,9 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "echo/engine.h"
+#include "echo/batch/echo_source.h"
 #include "echo/model/ping_plan.h"
-#include "echo/targets/sight_rays.h"
 
 namespace insonify {
 
@@ -35,23 +34,20 @@ class LinesOfSight {
     double passed;  ///< Share of the intensity that surfaces in the way let through, one way.
   };
 
-  /// One value per place; none if an opaque surface is in the way or the place is outside what the sonar receives.
-  /// Allocates nothing.
-  std::span<const std::optional<Sight>> look(const PingPlan& plan, const Pose& world_from_sonar, Engine& engine);
+  /// Adds a line of sight from the sonar to each place, the only ones of the list.
+  void ask(const PingView& view, RayList& rays) const;
 
-  /// The same of other sources, which are heard beside the fan too: see beam_hearing().
-  std::span<const std::optional<Sight>> listen(const PingPlan& plan, const Pose& world_from_sonar, bool has_array,
-                                               Engine& engine);
+  /// One value per place; none if an opaque surface is in the way or the place is outside what the sonar receives.
+  std::span<const std::optional<Sight>> look(const PingView& view, const RayAnswers& hits);
+
+  /// The same for other sources of sound, which are also received beside the fan: see beam_hearing().
+  std::span<const std::optional<Sight>> listen(const PingView& view, bool has_array, const RayAnswers& hits);
 
  private:
   template <typename BeamOf>
-  std::span<const std::optional<Sight>> see(const PingPlan& plan, const Pose& world_from_sonar, Engine& engine,
-                                            const BeamOf& beam_of);
+  std::span<const std::optional<Sight>> see(const PingView& view, const RayAnswers& hits, const BeamOf& beam_of);
 
   std::vector<Vec3> places_;
-  std::vector<Ray> rays_;  // From the sonar to each.
-  std::vector<Hit> hits_;
-  SightRays sight_rays_;
   std::vector<std::optional<Sight>> sights_;
 };
 

@@ -26,22 +26,30 @@ double own_phase(const PingPlan& plan, std::size_t point) {
 }
 
 void add_discrete_echo(const PingPlan& plan, const PingPlan::Arrival& arrival, int order, double range,
-                       double intensity, double turns, EchoGrid& grid) {
+                       double intensity, double turns, EchoList& echoes) {
   const int bin = plan.bin_of(static_cast<float>(range));
   if (bin >= 0) {
-    grid.discrete_echoes().push_back({.beam = plan.beam_of(arrival.bearing),
-                                      .bin = bin,
-                                      .order = order,
-                                      .bearing_sine = std::sin(arrival.bearing),
-                                      .intensity = static_cast<float>(intensity),
-                                      .turns = static_cast<float>(turns - std::floor(turns))});
+    echoes.discrete.push_back({.beam = plan.beam_of(arrival.bearing),
+                               .bin = bin,
+                               .order = order,
+                               .bearing_sine = std::sin(arrival.bearing),
+                               .intensity = static_cast<float>(intensity),
+                               .turns = static_cast<float>(turns - std::floor(turns))});
   }
 }
 
 PointEchoes::PointEchoes(std::span<const PointTarget> points) : points_(points), lines_(places_of(points)) {}
 
-void PointEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, Engine& engine, EchoGrid& grid) {
-  const auto sights = lines_.look(plan, world_from_sonar, engine);
+void PointEchoes::ask(const PingView& view, Workers&, RayList& rays) {
+  lines_.ask(view, rays);
+}
+
+void PointEchoes::answer(const PingView& view, const RayAnswers& hits, Workers&, RayList&, EchoList& found) {
+  if (hits.sights.empty()) {
+    return;
+  }
+  const PingPlan& plan = *view.plan;
+  const auto sights = lines_.look(view, hits);
   for (std::size_t i = 0; i < points_.size(); ++i) {
     if (!sights[i]) {
       continue;
@@ -52,7 +60,7 @@ void PointEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, Engine
                              sights[i]->passed * sights[i]->passed;
     const double turns = plan.turns_per_metre * range + own_phase(plan, i);
     // A point has no extent: it casts no shadow and labels no cell.
-    add_discrete_echo(plan, sights[i]->arrival, 1, range, intensity, turns, grid);
+    add_discrete_echo(plan, sights[i]->arrival, 1, range, intensity, turns, found);
   }
 }
 

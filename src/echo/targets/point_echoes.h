@@ -4,6 +4,7 @@
 
 #include <span>
 
+#include "echo/batch/echo_source.h"
 #include "echo/targets/lines_of_sight.h"
 #include "insonify/point_target.h"
 
@@ -18,17 +19,17 @@ double own_phase(const PingPlan& plan, std::size_t point);
 /// @param intensity  Relative to the source's at 1 m.
 /// @param turns      Phase in full turns.
 void add_discrete_echo(const PingPlan& plan, const PingPlan::Arrival& arrival, int order, double range,
-                       double intensity, double turns, EchoGrid& grid);
+                       double intensity, double turns, EchoList& echoes);
 
-/// Adds the echoes of points to the EchoGrid as discrete echoes: TS - 40 log10 r - 2 alpha r relative to the source
+/// Echoes of points, as discrete echoes: TS - 40 log10 r - 2 alpha r relative to the source
 /// level, times the two-way elevation pattern. Calibrated model only. The phase is that of the path plus own_phase().
 /// Points behind an opaque surface or outside the sonar's beams give no echo.
-class PointEchoes {
+class PointEchoes final : public EchoSource {
  public:
   explicit PointEchoes(std::span<const PointTarget> points);
 
-  /// Adds the echoes of one ping.
-  void add(const PingPlan& plan, const Pose& world_from_sonar, Engine& engine, EchoGrid& grid);
+  void ask(const PingView& view, Workers& workers, RayList& rays) override;
+  void answer(const PingView& view, const RayAnswers& hits, Workers& workers, RayList& more, EchoList& found) override;
 
  private:
   std::span<const PointTarget> points_;

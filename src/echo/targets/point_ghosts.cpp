@@ -1,4 +1,4 @@
-// point_ghosts.cpp -- traces the legs between sonar and points, and adds the echoes of all their pairs.
+// point_ghosts.cpp -- the legs between sonar and points, and the echoes of all their pairs.
 
 #include "echo/targets/point_ghosts.h"
 
@@ -26,18 +26,12 @@ Ray ray_between(const Vec3& from, const Vec3& to) {
 }  // namespace
 
 PointGhosts::PointGhosts(std::span<const PointTarget> points, const std::optional<Surface>& surface,
-                         std::shared_ptr<const std::vector<PlaneMirror>> faces)
-    : points_(points), surface_(surface), faces_(std::move(faces)) {
-  const std::size_t most = std::min((faces_ ? faces_->size() : 0) + 2, kMostLegs);
-  legs_.reserve(most * points.size());
-  rays_.reserve(2 * most * points.size());
-  hits_.resize(2 * most * points.size());
-  ends_.reserve(2 * most * points.size());
-  sight_rays_ = SightRays(2 * most * points.size());
-}
+                         std::shared_ptr<const std::vector<PlaneMirror>> faces, bool phases)
+    : points_(points), surface_(surface), faces_(std::move(faces)), glints_(phases && surface_ && surface_->waves) {}
 
 // Adds the leg over a mirror, if both ends are on the same side of it.
-void PointGhosts::add_leg_by(const Vec3& sonar, std::size_t point, int mirror, const Vec3& normal, double offset) {
+void PointGhosts::add_leg_by(const Vec3& sonar, std::size_t point, int mirror, const Vec3& normal, double offset,
+                             RayList& rays) {
   const Vec3& place = points_[point].position;
   const double here = normal.dot(sonar) - offset, there = normal.dot(place) - offset;
   if (!(here * there > 0)) {
@@ -53,35 +47,36 @@ void PointGhosts::add_leg_by(const Vec3& sonar, std::size_t point, int mirror, c
       return;
     }
   }
-  legs_.push_back({mirror, point, rays_.size(), image, (bounce - sonar).norm()});
-  rays_.push_back(ray_between(sonar, bounce));
-  ends_.emplace_back();
+  legs_.push_back({mirror, point, rays.sights.size(), image, (bounce - sonar).norm()});
+  rays.sights.push_back(ray_between(sonar, bounce));
+  rays.ends.emplace_back();
   if (mirror >= 0) {  // The first ray must hit the face, which may have holes.
     const double cosine = std::max(0.01, std::abs(here) / legs_.back().bounce);
-    rays_.back().max_distance += 2 * double{kRayClearance} + 2 * PlaneMirror::kFlush / cosine;
-    ends_[legs_.back().ray] = {legs_.back().bounce - (PlaneMirror::kFlush + double{kRayClearance}) / cosine};
+    rays.sights.back().max_distance += 2 * double{kRayClearance} + 2 * PlaneMirror::kFlush / cosine;
+    rays.ends[legs_.back().ray] = {legs_.back().bounce - (PlaneMirror::kFlush + double{kRayClearance}) / cosine};
   }
-  rays_.push_back(ray_between(bounce, place));
-  ends_.emplace_back();
+  rays.sights.push_back(ray_between(bounce, place));
+  rays.ends.emplace_back();
 }
 
-void PointGhosts::add_legs(const Vec3& sonar, std::size_t point) {
+void PointGhosts::add_legs(const Vec3& sonar, std::size_t point, RayList& rays) {
   const std::size_t first = legs_.size();
-  legs_.push_back({kStraight, point, rays_.size(), points_[point].position, 0});
-  rays_.push_back(ray_between(sonar, points_[point].position));
-  ends_.emplace_back();
+  legs_.push_back({kStraight, point, rays.sights.size(), points_[point].position, 0});
+  rays.sights.push_back(ray_between(sonar, points_[point].position));
+  rays.ends.emplace_back();
   if (surface_ && sonar.z() < surface_->level && points_[point].position.z() < surface_->level) {
-    add_leg_by(sonar, point, kWater, Vec3::UnitZ(), surface_->level);
+    add_leg_by(sonar, point, kWater, Vec3::UnitZ(), surface_->level, rays);
   }
   for (std::size_t i = 0; faces_ && i < faces_->size() && legs_.size() - first < kMostLegs; ++i) {
     const PlaneMirror& face = (*faces_)[i];
-    add_leg_by(sonar, point, static_cast<int>(i), face.normal, face.offset);
+    add_leg_by(sonar, point, static_cast<int>(i), face.normal, face.offset, rays);
   }
 }
 
-std::optional<PointGhosts::Way> PointGhosts::way_of(const PingPlan& plan, const Pose& world_from_sonar,
+std::optional<PointGhosts::Way> PointGhosts::way_of(const PingView& view, const RayAnswers& hits,
                                                     const Leg& leg) const {
-  const auto clear = [&](std::size_t ray) { return !std::isfinite(hits_[ray].distance); };
+  const PingPlan& plan = *view.plan;
+  const Pose& world_from_sonar = view.world_from_sonar;
   const Vec3 there = leg.image - world_from_sonar.position;
   const Vec3f direction = (world_from_sonar.inverse() * leg.image).normalized().cast<float>();
   if (!plan.receives(direction) || !(there.norm() >= LinesOfSight::kNearest)) {
@@ -89,23 +84,23 @@ std::optional<PointGhosts::Way> PointGhosts::way_of(const PingPlan& plan, const 
   }
   Way way{leg.mirror, plan.arrival_from(direction), there.norm(), 1, 0};
   if (leg.mirror == kStraight) {
-    if (!clear(leg.ray)) {
+    if (!hits.is_clear(leg.ray)) {
       return {};
     }
   } else if (leg.mirror == kWater) {
-    if (!clear(leg.ray) || !clear(leg.ray + 1)) {
+    if (!hits.is_clear(leg.ray) || !hits.is_clear(leg.ray + 1)) {
       return {};
     }
     way.intensity = plan.scatter.scattering(surface_->label).reflectance(there.z() / way.length);
     way.turns = 0.5;
   } else {
     const PlaneMirror& face = (*faces_)[static_cast<std::size_t>(leg.mirror)];
-    const Hit& hit = hits_[leg.ray];
+    const Hit& hit = hits.sights[leg.ray];
     const double cosine = std::abs(face.normal.dot(there)) / way.length;
     // The ray must hit the face itself, with nothing in front of it.
     const bool met = std::isfinite(hit.distance) &&
                      std::abs(hit.distance - leg.bounce) * cosine < PlaneMirror::kFlush + double{kRayClearance};
-    if (!met || !clear(leg.ray + 1)) {
+    if (!met || !hits.is_clear(leg.ray + 1)) {
       return {};
     }
     const SurfaceLabel label = surface_label(hit.instance, hit.material);
@@ -113,7 +108,7 @@ std::optional<PointGhosts::Way> PointGhosts::way_of(const PingPlan& plan, const 
     const double small = std::min(1.0, face.area * cosine / zone);
     way.intensity = coherent_reflectance(plan, label, cosine) * small * small;
   }
-  way.intensity *= sight_rays_.passed(leg.ray) * (leg.mirror == kStraight ? 1 : sight_rays_.passed(leg.ray + 1));
+  way.intensity *= hits.passed(leg.ray) * (leg.mirror == kStraight ? 1 : hits.passed(leg.ray + 1));
   way.intensity *= double{way.arrival.pattern} / (way.length * way.length) *
                    std::exp(-2 * double{plan.neper_per_metre} * way.length);
   return way;
@@ -136,7 +131,7 @@ PointGhosts::Glint PointGhosts::glint(const PingPlan& plan, std::size_t point, c
 
 // Adds the echoes of all pairs of legs, except that of the direct leg with itself.
 void PointGhosts::add_echoes(const PingPlan& plan, std::span<const Way> ways, std::size_t point, std::uint64_t number,
-                             EchoGrid& grid) const {
+                             EchoList& found) const {
   const double strength = std::pow(10.0, points_[point].target_strength_db / 10);
   const double own_turns = own_phase(plan, point);
   for (std::size_t i = 0; i < ways.size(); ++i) {
@@ -152,38 +147,37 @@ void PointGhosts::add_echoes(const PingPlan& plan, std::span<const Way> ways, st
       const double turns = plan.turns_per_metre * range + own_turns + out.turns + back.turns + waves.turns;
       // Received by one leg, sent by the other.
       add_discrete_echo(plan, out.arrival, order, range, intensity * plan.sent_gain(back.arrival, out.arrival), turns,
-                        grid);
+                        found);
       if (i != j) {
         add_discrete_echo(plan, back.arrival, order, range, intensity * plan.sent_gain(out.arrival, back.arrival),
-                          turns, grid);
+                          turns, found);
       }
     }
   }
 }
 
-void PointGhosts::add(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t number, bool phases,
-                      Engine& engine, EchoGrid& grid) {
-  glints_ = phases && surface_ && surface_->waves;
-  if (plan.secondary == SecondaryEchoes::kNone || plan.max_surfaces < 2 || points_.empty()) {
+void PointGhosts::ask(const PingView& view, Workers&, RayList& rays) {
+  legs_.clear();
+  if (view.plan->secondary == SecondaryEchoes::kNone || view.plan->max_surfaces < 2) {
     return;
   }
-  legs_.clear();
-  rays_.clear();
-  ends_.clear();
   for (std::size_t point = 0; point < points_.size(); ++point) {
-    add_legs(world_from_sonar.position, point);
+    add_legs(view.world_from_sonar.position, point, rays);
   }
-  sight_rays_.trace(plan, engine, rays_, std::span(hits_).first(rays_.size()), ends_);
+}
+
+void PointGhosts::answer(const PingView& view, const RayAnswers& hits, Workers&, RayList&, EchoList& found) {
   std::array<Way, kMostLegs> ways;
   for (std::size_t first = 0, last = 0; first < legs_.size(); first = last) {
     std::size_t count = 0;
     for (last = first; last < legs_.size() && legs_[last].point == legs_[first].point; ++last) {
-      if (const std::optional<Way> way = way_of(plan, world_from_sonar, legs_[last])) {
+      if (const std::optional<Way> way = way_of(view, hits, legs_[last])) {
         ways[count++] = *way;
       }
     }
-    add_echoes(plan, std::span(ways).first(count), legs_[first].point, number, grid);
+    add_echoes(*view.plan, std::span(ways).first(count), legs_[first].point, view.number, found);
   }
+  legs_.clear();
 }
 
 }  // namespace insonify

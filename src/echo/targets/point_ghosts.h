@@ -8,16 +8,15 @@
 #include <span>
 #include <vector>
 
-#include "echo/engine.h"
+#include "echo/batch/echo_source.h"
 #include "echo/grid/echo.h"
 #include "echo/model/ping_plan.h"
 #include "echo/targets/plane_mirrors.h"
-#include "echo/targets/sight_rays.h"
 #include "insonify/point_target.h"
 
 namespace insonify {
 
-/// Adds the multipath echoes of points by plane mirrors to the EchoGrid as discrete echoes, by the image method
+/// Multipath echoes of points by plane mirrors, as discrete echoes, by the image method
 /// (Brekhovskikh and Lysanov, Fundamentals of Ocean Acoustics, ch. 5). Calibrated model only. Between the sonar and a
 /// point there are the direct leg and one leg over each mirror. With leg lengths r and the point's target strength TS
 /// (linear), a path out by leg i and back by leg j has the intensity
@@ -29,7 +28,7 @@ namespace insonify {
 /// e^-g, times (A cos / (lambda r1 r2 / (r1 + r2)))^2 where its area A is smaller than the Fresnel zone. Each
 /// reflection at the water's surface shifts the phase by half a turn. Waves break an echo up into many glints: their
 /// sum has a random phase and an exponentially distributed intensity, independent from ping to ping.
-class PointGhosts {
+class PointGhosts final : public EchoSource {
  public:
   struct Surface {
     double level;        ///< World z [m].
@@ -38,16 +37,14 @@ class PointGhosts {
   };
   static constexpr std::size_t kMostFaces = 16;  ///< Most faces over which a point has legs; the largest are taken.
 
-  /// @param faces  Mirrors of the static instances; null for none.
-  PointGhosts() = default;
-  PointGhosts(std::span<const PointTarget> points, const std::optional<Surface>& surface,
-              std::shared_ptr<const std::vector<PlaneMirror>> faces);
-
-  /// Adds the echoes that `secondary` and `max_surfaces` of the plan allow. Does not allocate.
-  /// @param number  Number of the ping.
+  /// @param faces   Mirrors of the static instances; null for none.
   /// @param phases  Whether echoes have phases (ReceiverConfig::speckle). If so, waves make phase and intensity random.
-  void add(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t number, bool phases, Engine& engine,
-           EchoGrid& grid);
+  PointGhosts(std::span<const PointTarget> points, const std::optional<Surface>& surface,
+              std::shared_ptr<const std::vector<PlaneMirror>> faces, bool phases);
+
+  // Finds the echoes that `secondary` and `max_surfaces` of the plan allow.
+  void ask(const PingView& view, Workers& workers, RayList& rays) override;
+  void answer(const PingView& view, const RayAnswers& hits, Workers& workers, RayList& more, EchoList& found) override;
 
  private:
   // A path between the sonar and a point, direct or over one mirror.
@@ -67,11 +64,11 @@ class PointGhosts {
     double length, intensity, turns;
   };
 
-  void add_legs(const Vec3& sonar, std::size_t point);
-  void add_leg_by(const Vec3& sonar, std::size_t point, int mirror, const Vec3& normal, double offset);
-  [[nodiscard]] std::optional<Way> way_of(const PingPlan& plan, const Pose& world_from_sonar, const Leg& leg) const;
+  void add_legs(const Vec3& sonar, std::size_t point, RayList& rays);
+  void add_leg_by(const Vec3& sonar, std::size_t point, int mirror, const Vec3& normal, double offset, RayList& rays);
+  [[nodiscard]] std::optional<Way> way_of(const PingView& view, const RayAnswers& hits, const Leg& leg) const;
   void add_echoes(const PingPlan& plan, std::span<const Way> ways, std::size_t point, std::uint64_t number,
-                  EchoGrid& grid) const;
+                  EchoList& found) const;
   // Effect of waves on an echo: a factor on its intensity and an offset of its phase.
   struct Glint {
     double intensity, turns;
@@ -82,12 +79,8 @@ class PointGhosts {
   std::span<const PointTarget> points_;
   std::optional<Surface> surface_;
   std::shared_ptr<const std::vector<PlaneMirror>> faces_;
-  bool glints_ = false;  // Whether waves randomise phase and intensity.
+  bool glints_;  // Whether waves randomise phase and intensity.
   std::vector<Leg> legs_;
-  std::vector<Ray> rays_;
-  std::vector<Hit> hits_;
-  std::vector<SightEnd> ends_;
-  SightRays sight_rays_;
 };
 
 }  // namespace insonify

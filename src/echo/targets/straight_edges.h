@@ -59,10 +59,8 @@ struct StraightEdges {
   [[nodiscard]] std::size_t most_of_a_group() const;
 
   /// Pose of a group's frame.
-  /// @param world_from_mesh  [instance]
-  [[nodiscard]] static Pose frame(const Group& group, std::span<const Pose> world_from_mesh) {
-    return group.instance < 0 ? Pose{.position = group.origin}
-                              : world_from_mesh[static_cast<std::size_t>(group.instance)];
+  [[nodiscard]] static Pose frame(const Group& group, const Placement& placement) {
+    return group.instance < 0 ? Pose{.position = group.origin} : placement[group.instance];
   }
 };
 

@@ -1,4 +1,5 @@
-// thin_echoes.cpp -- divides pieces into steps, traces a ray to each, and integrates the scattering law over it.
+// thin_echoes.cpp -- divides pieces into steps, asks whether each is visible, and integrates the scattering law over
+// it.
 
 #include "echo/targets/thin_echoes.h"
 
@@ -6,7 +7,6 @@
 #include <cmath>
 
 #include "base/vector_math.h"
-#include "echo/model/deposit_together.h"
 #include "echo/model/echo_laws.h"
 #include "echo/model/ray_limits.h"
 
@@ -64,12 +64,16 @@ bool beside(const PingPlan& plan, const Vec3f& middle, float radius) {
                                                  : across - (middle.norm() + radius) * std::sin(edge) > radius;
 }
 
+// Whether a ray has met nothing but its own piece.
+bool is_visible(const RayAnswers& hits, std::size_t ray) {
+  const Hit& hit = hits.sights[ray];
+  const SightEnd& own = hits.asked.ends[ray];
+  return !std::isfinite(hit.distance) || (hit.instance == own.instance && hit.distance > own.from);
+}
+
 }  // namespace
 
 ThinEchoes::ThinEchoes(std::shared_ptr<const ThinParts> parts) : parts_(std::move(parts)) {
-  if (parts_ == nullptr || parts_->pieces.empty()) {
-    return;
-  }
   const std::vector<ThinParts::Piece>& pieces = parts_->pieces;
   for (std::size_t first = 0, last = 0; first < pieces.size(); first = last) {
     const std::uint16_t instance = instance_of(pieces[first].surface);
@@ -86,21 +90,18 @@ ThinEchoes::ThinEchoes(std::shared_ptr<const ThinParts> parts) : parts_(std::mov
   mesh_from_sonar_.resize(groups_.size());
   seen_.reserve(pieces.size());
   steps_.reserve(kMostSteps);
-  echoes_.resize(kMostSteps);
   order_.reserve(kMostRays);
   ray_of_.resize(kMostRays);
-  rays_.reserve(kMostRays);
-  own_.reserve(kMostRays);
-  hits_.resize(kMostRays);
 }
 
 // Finds the pieces within the fan and the range window that are too thin for the lattice.
-void ThinEchoes::find_seen(const PingPlan& plan, const Pose& world_from_sonar, std::span<const Pose> world_from_mesh) {
+void ThinEchoes::find_seen(const PingView& view) {
   seen_.clear();
-  const Pose sonar_from_world = world_from_sonar.inverse();
+  const PingPlan& plan = *view.plan;
+  const Pose sonar_from_world = view.world_from_sonar.inverse();
   for (std::uint32_t i = 0; i < groups_.size(); ++i) {
     const Group& group = groups_[i];
-    const Pose sonar_from_mesh = sonar_from_world * world_from_mesh[group.instance];
+    const Pose sonar_from_mesh = sonar_from_world * (*view.placement)[group.instance];
     const Vec3f middle = (sonar_from_mesh * group.middle.cast<double>().eval()).cast<float>();
     const float range = middle.norm();
     if (range - group.radius < plan.true_max_range && range + group.radius > plan.first_bin_at &&
@@ -178,9 +179,9 @@ void ThinEchoes::find_steps(const PingPlan& plan, Workers& workers) {
   std::erase_if(steps_, [](const Step& step) { return step.count == 0; });
 }
 
-// Traces a ray for every n-th step, to a place in front of the piece, beside its axis. Neighbouring rays are traced
-// together: they are ordered along a curve that fills the fan (Morton order).
-void ThinEchoes::trace_rays(const PingPlan& plan, const Pose& world_from_sonar, Engine& engine) {
+// Asks for a line of sight to every n-th step, to a place in front of the piece, beside its axis. Neighbouring rays are
+// traced together: they are ordered along a curve that fills the fan (Morton order).
+void ThinEchoes::ask_for_steps(const Pose& world_from_sonar, RayList& rays) {
   stride_ = (steps_.size() + kMostRays - 1) / kMostRays;
   order_.clear();
   for (std::size_t i = 0; i < steps_.size(); i += stride_) {
@@ -191,11 +192,9 @@ void ThinEchoes::trace_rays(const PingPlan& plan, const Pose& world_from_sonar, 
     order_.push_back(static_cast<std::uint64_t>(interleaved(across) | interleaved(up) << 1) << 32 | i / stride_);
   }
   std::ranges::sort(order_);
-  rays_.clear();
-  own_.clear();
   for (const std::uint64_t place : order_) {
     const auto number = static_cast<std::uint32_t>(place);
-    ray_of_[number] = static_cast<std::uint32_t>(rays_.size());
+    ray_of_[number] = static_cast<std::uint32_t>(rays.sights.size());
     const Step& step = steps_[number * stride_];
     const ThinParts::Piece& piece = parts_->pieces[step.piece];
     const Vec3f direction = step.place.normalized();
@@ -203,17 +202,10 @@ void ThinEchoes::trace_rays(const PingPlan& plan, const Pose& world_from_sonar, 
     const Vec3f front = beside_axis.squaredNorm() > 1e-6F ? Vec3f(beside_axis.normalized()) : Vec3f(-direction);
     const Vec3 there = (step.place + kInFront * piece.thickness * front).cast<double>();
     const double distance = there.norm();
-    rays_.push_back({world_from_sonar.position, world_from_sonar.orientation * (there / distance), 0,
-                     std::max(distance - double{kRayClearance}, 0.0)});
-    own_.push_back({distance - double{kOwnDepth * piece.thickness}, instance_of(piece.surface)});
+    rays.sights.push_back({world_from_sonar.position, world_from_sonar.orientation * (there / distance), 0,
+                           std::max(distance - double{kRayClearance}, 0.0)});
+    rays.ends.push_back({distance - double{kOwnDepth * piece.thickness}, instance_of(piece.surface)});
   }
-  sight_rays_.trace(plan, engine, rays_, std::span(hits_).first(rays_.size()), own_);
-}
-
-bool ThinEchoes::visible(std::size_t ray) const {
-  const Hit& hit = hits_[ray];
-  const SightEnd& own = own_[ray];
-  return !std::isfinite(hit.distance) || (hit.instance == own.instance && hit.distance > own.from);
 }
 
 Echo ThinEchoes::echo_of(const PingPlan& plan, const Step& step) const {
@@ -250,35 +242,32 @@ Echo ThinEchoes::echo_of(const PingPlan& plan, const Step& step) const {
           .surface = piece.surface};
 }
 
-void ThinEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, std::span<const Pose> world_from_mesh,
-                     Engine& engine, EchoGrid& grid) {
-  if (groups_.empty()) {
+void ThinEchoes::ask(const PingView& view, Workers& workers, RayList& rays) {
+  find_seen(view);
+  find_steps(*view.plan, workers);
+  if (!steps_.empty()) {
+    ask_for_steps(view.world_from_sonar, rays);
+  }
+}
+
+void ThinEchoes::answer(const PingView& view, const RayAnswers& hits, Workers& workers, RayList&, EchoList& found) {
+  if (hits.sights.empty()) {
     return;
   }
-  Workers& workers = engine.workers();
-  find_seen(plan, world_from_sonar, world_from_mesh);
-  find_steps(plan, workers);
-  if (steps_.empty()) {
-    return;
-  }
-  trace_rays(plan, world_from_sonar, engine);
+  const PingPlan& plan = *view.plan;
+  found.spread.resize(steps_.size());
   constexpr std::size_t kTogether = 256;
   workers.for_each(static_cast<int>((steps_.size() + kTogether - 1) / kTogether), [&](int task, int) {
     const std::size_t first = static_cast<std::size_t>(task) * kTogether;
     for (std::size_t i = first; i < std::min(first + kTogether, steps_.size()); ++i) {
       const std::size_t ray = ray_of_[i / stride_];
-      echoes_[i] = visible(ray) ? echo_of(plan, steps_[i]) : Echo{};
-      const auto passed = static_cast<float>(sight_rays_.passed(ray));
-      echoes_[i].power *= passed * passed;
+      Echo& echo = found.spread[i];
+      echo = is_visible(hits, ray) ? echo_of(plan, steps_[i]) : Echo{};
+      const auto passed = static_cast<float>(hits.passed(ray));
+      echo.power *= passed * passed;
     }
   });
-  deposit_together(plan, workers, grid, [&](const auto& add) {
-    for (std::size_t i = 0; i < steps_.size(); ++i) {
-      if (echoes_[i].weight > 0) {
-        add(echoes_[i]);
-      }
-    }
-  });
+  std::erase_if(found.spread, [](const Echo& echo) { return !(echo.weight > 0); });
 }
 
 }  // namespace insonify

@@ -6,28 +6,25 @@
 #include <span>
 #include <vector>
 
-#include "base/parallel.h"
-#include "echo/targets/sight_rays.h"
+#include "echo/batch/echo_source.h"
 #include "echo/targets/thin_parts.h"
 
 namespace insonify {
 
-/// Adds the primary echoes of thin parts, which Engine::leave_out() removes from the lattice's echoes, to the EchoGrid.
-/// Calibrated model only. Each piece is divided along its axis into steps no longer than one column of the lattice,
-/// half the slope of its facets, and one bin. The echo of a step is the integral of the scattering law over the surface
-/// that faces the sonar (docs/concepts/scattering.md, "Thin things"). A step that is hidden gives no echo.
-class ThinEchoes {
+/// Primary echoes of thin parts, which Engine::leave_out() removes from the echoes of the lattice. Calibrated model
+/// only. Each piece is divided along its axis into steps no longer than one column of the lattice, half the slope of
+/// its facets, and one bin. The echo of a step is the integral of the scattering law over the surface that faces the
+/// sonar (docs/concepts/scattering.md, "Thin things"). A step that is hidden gives no echo.
+class ThinEchoes final : public EchoSource {
  public:
-  explicit ThinEchoes(std::shared_ptr<const ThinParts> parts = {});
+  explicit ThinEchoes(std::shared_ptr<const ThinParts> parts);
 
   static constexpr std::size_t kMostRays =
       4096;  ///< Most rays per ping; with more steps, each ray tests several neighbouring ones.
   static constexpr std::size_t kMostSteps = 32768;  ///< Most steps per ping; beyond that, steps are made longer.
 
-  /// Does not allocate.
-  /// @param world_from_mesh  [instance]
-  void add(const PingPlan& plan, const Pose& world_from_sonar, std::span<const Pose> world_from_mesh, Engine& engine,
-           EchoGrid& grid);
+  void ask(const PingView& view, Workers& workers, RayList& rays) override;
+  void answer(const PingView& view, const RayAnswers& hits, Workers& workers, RayList& more, EchoList& found) override;
 
  private:
   // The pieces of one instance, and their bounding sphere in the frame of its mesh.
@@ -56,13 +53,12 @@ class ThinEchoes {
     float half_range;     // Half the range interval that the step covers [m].
   };
 
-  void find_seen(const PingPlan& plan, const Pose& world_from_sonar, std::span<const Pose> world_from_mesh);
+  void find_seen(const PingView& view);
   void add_seen(const PingPlan& plan, std::uint32_t group, const Pose& sonar_from_mesh);
   [[nodiscard]] bool divide(float longer);
   void find_steps(const PingPlan& plan, Workers& workers);
   void step_along(const PingPlan& plan, const Seen& seen);
-  void trace_rays(const PingPlan& plan, const Pose& world_from_sonar, Engine& engine);
-  [[nodiscard]] bool visible(std::size_t ray) const;
+  void ask_for_steps(const Pose& world_from_sonar, RayList& rays);
   [[nodiscard]] Echo echo_of(const PingPlan& plan, const Step& step) const;
 
   std::shared_ptr<const ThinParts> parts_;
@@ -70,14 +66,9 @@ class ThinEchoes {
   std::vector<Eigen::Matrix3f> mesh_from_sonar_;  // [group]: rotation.
   std::vector<Seen> seen_;
   std::vector<Step> steps_;
-  std::vector<Echo> echoes_;           // [step]
   std::size_t stride_ = 1;             // Steps per ray.
   std::vector<std::uint64_t> order_;   // [ray] Morton code of its direction x 2^32 + its number.
   std::vector<std::uint32_t> ray_of_;  // [number] Index of its ray.
-  std::vector<Ray> rays_;
-  std::vector<Hit> hits_;
-  std::vector<SightEnd> own_;  // [ray] The piece itself, which does not block its ray.
-  SightRays sight_rays_{kMostRays};
 };
 
 }  // namespace insonify

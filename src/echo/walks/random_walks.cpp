@@ -1,4 +1,4 @@
-// random_walks.cpp -- advances all walks of a ping together, bounce by bounce, to trace many rays per call.
+// random_walks.cpp -- advances all walks of a ping together, a bounce a round.
 
 #include "echo/walks/random_walks.h"
 
@@ -7,7 +7,6 @@
 
 #include "base/philox.h"
 #include "echo/model/coherent_share.h"
-#include "echo/model/deposit.h"
 #include "echo/model/ray_limits.h"
 
 namespace insonify {
@@ -55,15 +54,20 @@ SurfaceLabel label_of(const Hit& hit) {
 
 }  // namespace
 
-RandomWalks::RandomWalks(const Settings& settings)
-    : settings_(settings), walks_(settings.count), rays_(2 * walks_.size()), hits_(rays_.size()) {
+RandomWalks::RandomWalks(const Settings& settings) : settings_(settings), walks_(settings.count) {
   legs_.reserve(walks_.size());
   echoes_.reserve(walks_.size());
 }
 
 // Launches the walks evenly over the columns, in random rows. A walk's weight is its share of the transmitted sound,
 // with the beam pattern.
-void RandomWalks::launch(const PingPlan& plan, const Pose& world_from_sonar) {
+void RandomWalks::ask(const PingView& view, Workers&, RayList& rays) {
+  const PingPlan& plan = *view.plan;
+  const Pose& world_from_sonar = view.world_from_sonar;
+  number_ = view.number;
+  water_ = plan.secondary != SecondaryEchoes::kNone && plan.max_surfaces > 2 ? settings_.elsewhere.water : kNoSurface;
+  legs_.clear();
+  echoes_.clear();
   const Lattice& lattice = plan.lattice;
   const int columns = settings_.beam_count * lattice.columns_per_beam;
   const int first_column = settings_.first_beam * lattice.columns_per_beam;
@@ -80,9 +84,10 @@ void RandomWalks::launch(const PingPlan& plan, const Pose& world_from_sonar) {
                  .weight = static_cast<float>(double{lattice.shares(column)[row]} *
                                               double{lattice.column_measure[column]} * samples_per_walk),
                  .index = i};
-    rays_[i] = {world_from_sonar.position, direction, 0, double{plan.reach()}};
+    rays.rays.push_back({world_from_sonar.position, direction, 0, double{plan.reach()}});
   }
   walking_ = walks_.size();
+  order_ = 1;
 }
 
 // Energy per steradian scattered towards the sonar, without the paths that other echoes include (see the class).
@@ -96,7 +101,7 @@ float RandomWalks::per_steradian(const PingPlan& plan, const SurfaceLaw& law, co
   }
   const bool by_one_mirror = order == 3 && walk.first_mirrored && walk.first_surface == label_of(hit) &&
                              walk.first_normal.dot(normal) > kSameMirror;
-  const bool in_corner = corners_ && order == 3 && walk.coherent > 0 &&
+  const bool in_corner = settings_.elsewhere.corners && order == 3 && walk.coherent > 0 &&
                          std::abs(walk.first_normal.dot(normal)) < kPerpendicular &&
                          std::abs(walk.second_normal.dot(normal)) < kPerpendicular &&
                          std::abs(walk.first_normal.dot(walk.second_normal)) < kPerpendicular;
@@ -179,54 +184,46 @@ bool RandomWalks::bounce(const PingPlan& plan, const Hit& hit, int order, Walk& 
 
 // Moves each walk to its hit, and draws its next leg. Walks end if they leave the scene or can no longer return within
 // the range window.
-void RandomWalks::bounce_all(const PingPlan& plan, const Pose& world_from_sonar, int order) {
+void RandomWalks::bounce_all(const PingView& view, const RayAnswers& hits, RayList& more) {
+  const PingPlan& plan = *view.plan;
+  const Pose& world_from_sonar = view.world_from_sonar;
   legs_.clear();
   echoes_.clear();
   std::size_t going_on = 0;
   for (std::size_t i = 0; i < walking_; ++i) {
-    const Hit& hit = hits_[i];
+    const Hit& hit = hits.rays[i];
     if (!std::isfinite(hit.distance)) {
       continue;
     }
     Walk walk = walks_[i];
-    walk.point += hit.distance * rays_[i].direction;
+    walk.point += hit.distance * hits.asked.rays[i].direction;
     walk.length += static_cast<float>(hit.distance);
-    connect(plan, world_from_sonar, hit, walk.direction, order, walk);
+    connect(plan, world_from_sonar, hit, walk.direction, order_, walk);
     const double home = (world_from_sonar.position - walk.point).norm();
     const double left = 2 * double{plan.reach()} - double{walk.length} - home;
-    if (left > 0 && bounce(plan, hit, order, walk)) {
-      walks_[going_on] = walk;
-      rays_[going_on] = {walk.point, walk.direction.cast<double>().normalized(), double{kRayClearance}, home + left};
-      ++going_on;
+    if (left > 0 && bounce(plan, hit, order_, walk)) {
+      walks_[going_on++] = walk;
+      more.rays.push_back({walk.point, walk.direction.cast<double>().normalized(), double{kRayClearance}, home + left});
     }
   }
   walking_ = going_on;
-  std::ranges::copy(legs_, rays_.begin() + static_cast<std::ptrdiff_t>(walking_));
+  more.rays.insert(more.rays.end(), legs_.begin(), legs_.end());
 }
 
-void RandomWalks::deposit_clear_legs(const PingPlan& plan, EchoGrid& grid) {
-  for (std::size_t i = 0; i < echoes_.size(); ++i) {
-    if (!std::isfinite(hits_[walking_ + i].distance)) {
-      deposit(plan, echoes_[i], grid);
+void RandomWalks::add_clear_legs(std::span<const Hit> legs, EchoList& found) const {
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    if (!std::isfinite(legs[i].distance)) {
+      found.spread.push_back(echoes_[i]);
     }
   }
 }
 
-void RandomWalks::add(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t number,
-                      const Elsewhere& elsewhere, Engine& engine, EchoGrid& grid) {
-  number_ = number;
-  corners_ = elsewhere.corners;
-  water_ = plan.secondary != SecondaryEchoes::kNone && plan.max_surfaces > 2 ? elsewhere.water : kNoSurface;
-  legs_.clear();
-  echoes_.clear();
-  launch(plan, world_from_sonar);
-  for (int order = 1; walking_ + legs_.size() > 0; ++order) {
-    const std::size_t rays = walking_ + legs_.size();
-    engine.trace(std::span(rays_).first(rays), std::span(hits_).first(rays));
-    deposit_clear_legs(plan, grid);
-    bounce_all(plan, world_from_sonar, order);
+void RandomWalks::answer(const PingView& view, const RayAnswers& hits, Workers&, RayList& more, EchoList& found) {
+  if (!hits.rays.empty()) {
+    add_clear_legs(hits.rays.subspan(walking_), found);
+    bounce_all(view, hits, more);
+    ++order_;
   }
-  grid.keep_spare_surfaces();
 }
 
 }  // namespace insonify

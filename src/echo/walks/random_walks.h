@@ -6,12 +6,13 @@
 #include <span>
 #include <vector>
 
-#include "echo/engine.h"
+#include "echo/batch/echo_source.h"
 #include "echo/walks/surface_law.h"
 
 namespace insonify {
 
-/// Adds the echoes of the paths over two and more surfaces that primary and secondary echoes do not cover.
+/// Echoes of the paths over two and more surfaces that primary and secondary echoes do not cover. Calibrated model
+/// only. The order of an echo is the number of surfaces, at most kPathOrders.
 ///
 /// A walk starts at the sonar in a direction of the lattice. At each surface the next direction is drawn by SurfaceLaw.
 /// From the second surface on, each surface is also connected to the sonar, and the echo of this leg is added to the
@@ -27,28 +28,25 @@ namespace insonify {
 ///     MMM              CornerEchoes, for the coherent share of three perpendicular mirrors
 ///     M D M            secondary echoes of order 3, for the coherent share of the water's surface as one M
 ///     all others       here: DD; three surfaces unless M X M by one mirror; four surfaces and more
-class RandomWalks {
+class RandomWalks final : public EchoSource {
  public:
-  struct Settings {
-    int count = 0;       ///< Walks per ping, > 0.
-    int first_beam = 0;  ///< First of the plan's beams that the sonar transmits into.
-    int beam_count = 0;  ///< Number of these; less than the plan's for a scanning head with an array pattern.
-    std::uint64_t seed = 1;
-  };
-  explicit RandomWalks(const Settings& settings);
-
   /// Paths that other echoes include, which walks must leave out.
   struct Elsewhere {
     bool corners = false;             ///< Whether CornerEchoes adds coherent echoes of three perpendicular mirrors.
     SurfaceLabel water = kNoSurface;  ///< The water's surface, if secondary echoes include its coherent share of M D M.
   };
 
-  /// Adds the echoes of one ping to the cells of the EchoGrid. Calibrated model only. The order of an echo is the
-  /// number of surfaces, at most kPathOrders. Allocates only while the grid's lists grow.
-  /// @param number     Number of the ping.
-  /// @param elsewhere  Paths to leave out.
-  void add(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t number, const Elsewhere& elsewhere,
-           Engine& engine, EchoGrid& grid);
+  struct Settings {
+    int count = 0;       ///< Walks per ping, > 0.
+    int first_beam = 0;  ///< First of the plan's beams that the sonar transmits into.
+    int beam_count = 0;  ///< Number of these; less than the plan's for a scanning head with an array pattern.
+    std::uint64_t seed = 1;
+    Elsewhere elsewhere = {};
+  };
+  explicit RandomWalks(const Settings& settings);
+
+  void ask(const PingView& view, Workers& workers, RayList& rays) override;
+  void answer(const PingView& view, const RayAnswers& hits, Workers& workers, RayList& more, EchoList& found) override;
 
  private:
   // State of a walk after its last bounce.
@@ -68,9 +66,8 @@ class RandomWalks {
     float coherent = 1;        // Coherent share of the first two bounces; 0 if one was diffuse.
   };
 
-  void launch(const PingPlan& plan, const Pose& world_from_sonar);
-  void deposit_clear_legs(const PingPlan& plan, EchoGrid& grid);
-  void bounce_all(const PingPlan& plan, const Pose& world_from_sonar, int order);
+  void add_clear_legs(std::span<const Hit> legs, EchoList& found) const;
+  void bounce_all(const PingView& view, const RayAnswers& hits, RayList& more);
   bool bounce(const PingPlan& plan, const Hit& hit, int order, Walk& walk);
   void connect(const PingPlan& plan, const Pose& world_from_sonar, const Hit& hit, const Vec3f& in, int order,
                const Walk& walk);
@@ -79,13 +76,11 @@ class RandomWalks {
 
   Settings settings_;
   std::uint64_t number_ = 0;
-  bool corners_ = false;
   SurfaceLabel water_ = kNoSurface;
-  std::size_t walking_ = 0;  // Number of active walks, which come first in walks_.
+  int order_ = 0;            // Surfaces that the active walks will have met after the rays asked for.
+  std::size_t walking_ = 0;  // Number of active walks, which come first in walks_ and in the rays asked for.
   std::vector<Walk> walks_;
-  std::vector<Ray> rays_;  // Next legs of the active walks, then legs_.
-  std::vector<Hit> hits_;
-  std::vector<Ray> legs_;     // Legs back to the sonar from this bounce.
+  std::vector<Ray> legs_;     // Legs back to the sonar from this bounce; they follow in the rays asked for.
   std::vector<Echo> echoes_;  // [leg] Its echo, if nothing blocks the leg.
 };
 

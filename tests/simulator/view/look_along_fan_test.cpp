@@ -12,7 +12,7 @@ using namespace testing_scenes;
 // A wall across x at 5 m, seen over 60 x 30 degrees, in water of 0.1 dB/m.
 TEST(LookAlongFanTest, SeesAWall) {
   const Scene scene = SceneMaker().add_wall(5, 0.5).scene();
-  const auto engine = make_engine("cpu", 2);
+  const auto engine = test_engine("cpu", 2);
   engine->set_scene(scene);
   SonarConfig sonar;
   sonar.azimuth_aperture = 60 * kDegree;
@@ -20,7 +20,7 @@ TEST(LookAlongFanTest, SeesAWall) {
   sonar.max_range = 5.5;
   Water water;
   water.absorption_db_per_m = 0.1;
-  const Channels channels = look_along_fan(*engine, sonar, water, {}, 60);
+  const Channels channels = look_along_fan(engine->engine(), sonar, water, {}, 60);
   ASSERT_EQ(channels.columns, 60);
   ASSERT_EQ(channels.rows, 30);
   EXPECT_NEAR(channels.port_edge, 30 * kDegree, 1e-9);
@@ -44,14 +44,14 @@ TEST(LookAlongFanTest, SeesAWall) {
 // Port is left and up is up; a scanning head covers all directions.
 TEST(LookAlongFanTest, SeesAllThatAHeadSweeps) {
   const Scene scene = SceneMaker().add_sphere({0, 4, 1}, 0.5).scene();
-  const auto engine = make_engine("cpu", 2);
+  const auto engine = test_engine("cpu", 2);
   engine->set_scene(scene);
   SonarConfig sonar;
   sonar.type = SonarType::kMechanicallyScanned;
   sonar.beam_count = 1;
   sonar.azimuth_aperture = 2 * kDegree;
   sonar.elevation_aperture = 40 * kDegree;
-  const Channels channels = look_along_fan(*engine, sonar, {}, {}, 720);
+  const Channels channels = look_along_fan(engine->engine(), sonar, {}, {}, 720);
   EXPECT_NEAR(channels.port_edge - channels.starboard_edge, 360 * kDegree, 1e-6);
   double x = 0, y = 0, count = 0;
   for (int row = 0; row < channels.rows; ++row) {
@@ -71,9 +71,9 @@ TEST(LookAlongFanTest, SeesAllThatAHeadSweeps) {
 
 TEST(LookAlongFanTest, RefusesNoColumns) {
   const Scene scene = SceneMaker().add_wall(5).scene();
-  const auto engine = make_engine("cpu", 1);
+  const auto engine = test_engine("cpu", 1);
   engine->set_scene(scene);
-  EXPECT_EQ(message_of([&] { static_cast<void>(look_along_fan(*engine, SonarConfig{}, {}, {}, 0)); }),
+  EXPECT_EQ(message_of([&] { static_cast<void>(look_along_fan(engine->engine(), SonarConfig{}, {}, {}, 0)); }),
             "channels.columns = 0 must be from 1 to 8192");
 }
 

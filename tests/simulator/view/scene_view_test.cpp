@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "echo/engine.h"
 #include "insonify/error.h"
 #include "insonify/mesh.h"
 #include "simulator/view/camera.h"
 #include "support/message_of.h"
+#include "support/test_engine.h"
 
 namespace insonify::scene_view_test {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 // A scene, an engine that has loaded it, and a sonar 3 m above the scene's floor looking along x.
 class Stage {
  public:
-  explicit Stage(const char* engine = "cpu") : engine_(make_engine(engine, 1)) {
+  explicit Stage(const char* engine = "cpu") : engine_(test_engine(engine, 1)) {
     sonar.azimuth_aperture = radians_from_degrees(90);
     sonar.beam_count = 16;
     sonar.elevation_aperture = radians_from_degrees(40);
@@ -40,7 +40,7 @@ class Stage {
 
   Engine& engine() {
     engine_->set_scene(scene_);
-    return *engine_;
+    return engine_->engine();
   }
   [[nodiscard]] const Scene& scene() const { return scene_; }
 
@@ -63,7 +63,7 @@ class Stage {
 
  private:
   Scene scene_;
-  std::unique_ptr<Engine> engine_;
+  std::unique_ptr<TestEngine> engine_;
 };
 
 // Image position in half pictures from the middle.

@@ -1,0 +1,55 @@
+// echo_batch.h -- interface of a batch of pings on an engine: their echo grids, from the first echo to the receiver.
+
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "base/parallel.h"
+#include "echo/batch/echo_list.h"
+#include "echo/batch/ping_view.h"
+#include "echo/grid/echo_grid.h"
+#include "insonify/engine.h"
+
+namespace insonify {
+
+/// Turns the echoes of each ping of a batch into the ping, on the host.
+class EchoReceiver {
+ public:
+  virtual ~EchoReceiver() = default;
+
+  /// Called once for each view; calls for different views may run at once, on different workers.
+  /// @param workers  Threads for the steps of this view.
+  /// @param worker   Number of the calling thread, which chooses its scratch memory.
+  virtual void receive(std::size_t view, const EchoGrid& grid, Workers& workers, int worker) = 0;
+};
+
+/// The echoes of a batch of pings. They stay where the engine computes them; only map() copies a grid to the host,
+/// where it is not there already. An object is used by one thread at a time, and reused from batch to batch.
+class EchoBatch {
+ public:
+  virtual ~EchoBatch() = default;
+
+  /// Number of views, from the first on, that one batch can hold: at least 1.
+  [[nodiscard]] virtual std::size_t capacity(std::span<const PingView> views) const = 0;
+
+  /// Empties the batch and computes the echoes of the samples of each view's fan. Results depend on the views alone,
+  /// not on what else is in the batch, nor on threads.
+  /// @param views  At most capacity(views). Must stay valid until the next start().
+  virtual void start(std::span<const PingView> views) = 0;
+
+  /// Adds echoes to the grids, in this order: the sums do not depend on threads.
+  /// @param lists  [view][source]
+  virtual void add(std::span<const std::span<const EchoList* const>> lists) = 0;
+
+  /// Passes each view's grid to the receiver.
+  virtual void receive(EchoReceiver& receiver) = 0;
+
+  /// The grid of one view, to be read on the host until the next call.
+  [[nodiscard]] virtual const EchoGrid& map(std::size_t view) = 0;
+
+  /// Rays that start() traced for one view.
+  [[nodiscard]] virtual RayCounts ray_counts(std::size_t view) const = 0;
+};
+
+}  // namespace insonify

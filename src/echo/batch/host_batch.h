@@ -1,0 +1,61 @@
+// host_batch.h -- a batch whose grids are in the host's memory.
+
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "echo/batch/echo_batch.h"
+
+namespace insonify {
+
+/// What batches of engines that compute on the host have in common: the grids, kept from batch to batch, and all that
+/// comes after the samples.
+class HostBatch : public EchoBatch {
+ public:
+  /// @param workers  Must outlive the batch.
+  explicit HostBatch(Workers& workers) : workers_(workers) {}
+
+  [[nodiscard]] std::size_t capacity(std::span<const PingView> views) const override;
+  void start(std::span<const PingView> views) final;
+  void add(std::span<const std::span<const EchoList* const>> lists) final;
+  void receive(EchoReceiver& receiver) final;
+  [[nodiscard]] const EchoGrid& map(std::size_t view) final { return *grids_[view]; }
+  [[nodiscard]] RayCounts ray_counts(std::size_t view) const final { return counts_[view]; }
+
+ protected:
+  /// Fills the views' grids, which hold the echoes of an earlier ping.
+  virtual void insonify(std::span<const PingView> views) = 0;
+
+  /// Whether a batch of so many views is computed by a thread a view, rather than one view after another by all
+  /// threads.
+  [[nodiscard]] bool by_view(std::size_t views) const;
+
+  /// Calls run(view, workers, worker) for every view: by_view() on all threads at once.
+  template <typename Run>
+  void for_each_view(const Run& run);
+
+  Workers& workers_;
+  std::vector<std::unique_ptr<EchoGrid>> grids_;  ///< [view]; those after the last view are spare.
+  std::vector<RayCounts> counts_;                 ///< [view]
+
+ private:
+  void take_grids();
+
+  std::span<const PingView> views_;
+};
+
+template <typename Run>
+void HostBatch::for_each_view(const Run& run) {
+  const std::size_t count = views_.size();
+  if (by_view(count)) {
+    workers_.for_each(static_cast<int>(count),
+                      [&](int view, int worker) { run(static_cast<std::size_t>(view), workers_.alone(), worker); });
+    return;
+  }
+  for (std::size_t view = 0; view < count; ++view) {
+    run(view, workers_, 0);
+  }
+}
+
+}  // namespace insonify

@@ -1,0 +1,29 @@
+// scene_targets.cpp -- finds thin parts, faces, edges, mirrors and corners, each from those found before.
+
+#include "echo/targets/scene_targets.h"
+
+namespace insonify {
+
+SceneTargets find_targets(const Scene& scene, const std::optional<WaterMirror>& water, Engine& engine,
+                          Workers& workers) {
+  std::unique_ptr<Engine> faster;
+  if (engine.kind().brute_force) {
+    faster = make_engine("cpu", workers);
+    faster->set_scene(scene);
+  }
+  Engine& probe = faster ? *faster : engine;
+  ThinParts thin = find_thin_parts(scene, probe);
+  LeftOut left_out = thin.triangles ? *thin.triangles : LeftOut{};
+  GlintingFaces faces = find_glinting_faces(scene, left_out);
+  SceneTargets targets;
+  targets.edges = std::make_shared<const StraightEdges>(find_straight_edges(scene, faces, probe));
+  const bool any = thin.triangles || faces.any();
+  engine.leave_out(any ? std::make_shared<const LeftOut>(std::move(left_out)) : nullptr);
+  targets.faces = std::make_shared<const GlintingFaces>(std::move(faces));
+  targets.thin_parts = std::make_shared<const ThinParts>(std::move(thin));
+  targets.mirrors = std::make_shared<const std::vector<PlaneMirror>>(find_plane_mirrors(scene, -1));
+  targets.corners = std::make_shared<const std::vector<Corner>>(find_corners(scene, *targets.mirrors, water));
+  return targets;
+}
+
+}  // namespace insonify
