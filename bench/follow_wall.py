@@ -134,7 +134,7 @@ def follow_emulated(path, insonify, instrument, seconds):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("road", choices=("oculus", "ping360", "dds", "ros1", "gazebo"))
+    parser.add_argument("transport", choices=("oculus", "ping360", "dds", "ros1", "gazebo"))
     parser.add_argument("insonify")
     parser.add_argument("--seconds", type=float, default=60)
     parser.add_argument("--slowest", type=float, help="pings a second; 19.5 of 20, and 18 of a Ping360, which adds its delay "
@@ -148,31 +148,31 @@ def main():
         path = pathlib.Path(folder)
         (path / "wall.obj").write_text(f"v -99 {WALL} -9\nv 199 {WALL} -9\nv 199 {WALL} 9\nv -99 {WALL} 9\nf 4 3 2 1\n")
         points = [waypoint(i) for i in range(int(options.seconds / 5) + 4)]
-        sonars = FLS if options.road in ("dds", "ros1", "gazebo") else FLS + HEAD
+        sonars = FLS if options.transport in ("dds", "ros1", "gazebo") else FLS + HEAD
         (path / "follow.yaml").write_text(WORLD + sonars + "trajectory:\n" + "".join(
             f"  - {{time: {seconds}, position: [{0.5 * seconds}, {y}, 0]}}\n" for seconds, y in points))
-        if options.road in ("dds", "gazebo"):
-            follow = follow_wall_dds.follow if options.road == "dds" else follow_wall_gazebo.follow
+        if options.transport in ("dds", "gazebo"):
+            follow = follow_wall_dds.follow if options.transport == "dds" else follow_wall_gazebo.follow
             found, bin_length, lost, latencies, report = follow(
                 path, insonify, os.path.abspath(options.vehicle), options.seconds, distance_at)
-        elif options.road == "ros1":
+        elif options.transport == "ros1":
             found, bin_length, lost, latencies, report = follow_wall_ros1.follow(path, insonify, options.seconds, distance_at)
         else:
-            found, bin_length, lost, report = follow_emulated(path, insonify, options.road, options.seconds)
+            found, bin_length, lost, report = follow_emulated(path, insonify, options.transport, options.seconds)
             latencies = []
 
     errors = [measured - true for measured, true in found]
     worst = max(map(abs, errors))
     rate, latency, computing = (float(re.search(pattern, report).group(1)) for pattern in (
         r"\(([\d.]+) Hz\)", r"([\d.]+) ms from transmission", r"([\d.]+) of them computing"))
-    print(f"{options.road}: {len(found)} distances from {min(t for _, t in found):.2f} to "
+    print(f"{options.transport}: {len(found)} distances from {min(t for _, t in found):.2f} to "
           f"{max(t for _, t in found):.2f} m; wrong by {statistics.mean(errors) * 1e3:.1f} mm on average and "
           f"{worst * 1e3:.1f} mm at most, bins of {bin_length * 1e3:.1f} mm; {lost} lost")
     print(report)
     if latencies:  # Measured by the one who reads, which is later than the report's.
         latency = 1e3 * statistics.mean(latencies)
         print(f"from pose to message {latency:.1f} ms on average, {1e3 * max(latencies):.1f} at most")
-    slowest = options.slowest if options.slowest is not None else 18 if options.road == "ping360" else 19.5
+    slowest = options.slowest if options.slowest is not None else 18 if options.transport == "ping360" else 19.5
     # Until a newer pose comes the sonar stays where it was, and the wall comes nearer by 0.2 m/s.
     tolerance = bin_length + (0.2 * LATE if slowest == 0 else 0)
     in_time = slowest == 0 or latency <= 1000 / min(RATE, rate) + computing

@@ -111,7 +111,7 @@ add_test(NAME shadow_depth
 
 add_test(NAME shadow_depth_measures COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/validation/shadow_depth_test.py)
 
-# What shells and man are told of the command line.
+# Texts about the command line for shells and man.
 add_test(NAME shell_texts
   COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/apps/shell_texts_test.py ${PROJECT_BINARY_DIR})
 

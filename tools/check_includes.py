@@ -59,12 +59,12 @@ ROOMS = {
         "pictures": ["console"],
         "run": ["console", "pictures"],
         "replay": ["console", "serve"],
-        "road": ["console"],
-        "emulate": ["console", "road"],
-        "bridge": ["console", "road"],
-        "ros1": ["console", "road"],  # Of apps/bridges/, each a program.
-        "dds": ["console", "road"],
-        "gazebo": ["console", "road"],
+        "transport": ["console"],
+        "emulate": ["console", "transport"],
+        "bridge": ["console", "transport"],
+        "ros1": ["console", "transport"],  # Of apps/bridges/, each a program.
+        "dds": ["console", "transport"],
+        "gazebo": ["console", "transport"],
         "*": ["console", "pictures"],  # Commands, each a room.
     },
 }

@@ -57,7 +57,7 @@ def scene_of(folder):
 
 
 def scene_file(folder):
-    """Text of the scenario that was run, or none where it is not one of the shipped ones."""
+    """Text of the scenario that was run, or none if it is not a shipped one."""
     path = SCENES / f"{folder.name}.yaml"
     return path.read_text(encoding="utf-8") if path.exists() else ""
 

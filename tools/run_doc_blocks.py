@@ -104,7 +104,7 @@ def check_excerpt(block, root):
     path = root / block.source
     if not path.is_file():
         raise Fault(f"from: there is no {block.source}")
-    # "# ..." in a program stands for lines that are left out, too.
+    # "# ..." in a program stands for omitted lines, too.
     shown = re.sub(r"(?m)^\s*# \.\.\.$", "...", block.text)
     lines = [line for line in path.read_text(encoding="utf-8").splitlines() if line.strip()]
     wrong = mismatch("...\n" + "\n".join(line for line in shown.splitlines() if line.strip()), "\n".join(lines))
@@ -120,7 +120,7 @@ def is_there(name, environment):
 
 
 def run_block(block, folder, arguments, environment):
-    """Runs one block. Returns its exit status and output, or None where it is only shown."""
+    """Runs one block. Returns its exit status and output, or None if it is only shown."""
     if block.run is not None and block.run.startswith("no"):
         if not re.fullmatch(r"no \(.+\)", block.run):
             raise Fault("run: no must tell why, as in <!-- run: no (needs a network) -->")

@@ -81,7 +81,7 @@ int run_program(int argc, char** argv) {
         version();
         throw CLI::Success();
       },
-      "Tell the version");
+      "Print the version");
   add_run(app, request);
   add_serve(app, request);
   add_emulate(app, request);

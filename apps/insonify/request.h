@@ -15,9 +15,9 @@
 #include "info/info.h"
 #include "pictures/draw.h"
 #include "replay/replay.h"
-#include "road/bridge_options.h"
 #include "run/run.h"
 #include "serve/serve.h"
+#include "transport/bridge_options.h"
 
 namespace insonify {
 

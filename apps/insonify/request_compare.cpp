@@ -8,11 +8,11 @@
 namespace insonify {
 
 void add_compare(CLI::App& app, Request& request) {
-  CLI::App* command = app.add_subcommand("compare", "Tell how alike two recordings or two grey pictures are");
+  CLI::App* command = app.add_subcommand("compare", "Compare two recordings or two grey pictures");
   CompareOptions& options = request.compare;
   command->add_option("A", options.a, "Recording (.h5, .mcap), folder of recordings, or grey picture (.png)")
       ->required();
-  command->add_option("B", options.b, "The same, of the same shape: what is judged against A")->required();
+  command->add_option("B", options.b, "The same, of the same shape, compared with A")->required();
   command->add_option("--sonar", options.sonar, "Which recording of a folder, or which sonar of an .mcap file")
       ->type_name("NAME");
   command->add_option("--ping", options.pings, "Ping to compare, from 0; may be repeated [all that both have]")
@@ -35,11 +35,11 @@ void add_compare(CLI::App& app, Request& request) {
       ->type_name("DB");
   command->add_flag("--counts", options.counts,
                     "Compare the counts of recordings, as the instrument delivers them: linear, up to the greatest");
-  command->add_flag("--no-ms-ssim", request.no_ms_ssim,
-                    "Leave out MS-SSIM (smaller than 176 x 176 it is left out anyway)");
+  command->add_flag("--no-ms-ssim", request.no_ms_ssim, "Skip MS-SSIM (always skipped below 176 x 176)");
   command->add_flag("--json", options.json, "As JSON, with the numbers of each ping");
   command->footer(
-      "Tells MSE, PSNR, SSIM, MS-SSIM, correlation and the distance of the histograms, as means over the pings; below\n"
+      "Prints MSE, PSNR, SSIM, MS-SSIM, correlation and the distance of the histograms, as means over the pings; "
+      "below\n"
       "them what worthless pictures score against A: a flat grey, A's mean range profile, A's pixels shuffled.\n\n"
       "Examples:\n"
       "  insonify compare real.h5 simulated.h5 --ping 0 --ping 5\n"

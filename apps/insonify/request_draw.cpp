@@ -17,7 +17,7 @@ void add_draw_options(CLI::App& command, DrawOptions& options) {
       ->type_name("N")
       ->expected(1)
       ->take_all();
-  command.add_flag("-f,--force", options.force, "Replace pictures of this sonar that are there");
+  command.add_flag("-f,--force", options.force, "Replace existing pictures of this sonar");
   add_picture_options(command, options.pictures, "Pictures");
   add_counts_option(command, options.pictures, "Pictures");
 }

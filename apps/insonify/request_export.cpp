@@ -15,7 +15,7 @@ void add_export(CLI::App& app, Request& request) {
       ->type_name("FILE");
   command->add_option("--sonar", options.sonar, "Only this sonar of a recording that has several [all]")
       ->type_name("NAME");
-  command->add_flag("-f,--force", options.force, "Replace FILE if it is there");
+  command->add_flag("-f,--force", options.force, "Replace FILE if it exists");
   auto* bits =
       command->add_option("--bits", request.bits, "Bits of the values of sonar images in .mcap and .bag, 8 or 16 [16]")
           ->check(one_of({"8", "16"}))
@@ -63,7 +63,7 @@ void add_export(CLI::App& app, Request& request) {
 }
 
 void add_info(CLI::App& app, Request& request) {
-  CLI::App* command = app.add_subcommand("info", "Tell what a recording holds");
+  CLI::App* command = app.add_subcommand("info", "Describe recordings");
   InfoOptions& options = request.info;
   command->add_option("RECORDING", options.recordings, "Recordings (.h5, .mcap), also unfinished ones (.new)")
       ->required();

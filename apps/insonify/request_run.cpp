@@ -22,9 +22,7 @@ void add_run(CLI::App& app, Request& request) {
   CLI::App* command = app.add_subcommand("run", "Simulate a scenario: pings into recordings and pictures");
   RunOptions& options = request.run;
   command->add_option("SCENARIO", options.scenario, "Scenario file (YAML, or Stonefish's .scn)")->required();
-  command
-      ->add_option("-o,--output", options.folder,
-                   "Folder for what is written, made if missing [SCENARIO's name + _pings]")
+  command->add_option("-o,--output", options.folder, "Output folder, made if missing [SCENARIO's name + _pings]")
       ->check(not_empty("a folder, or . for this one"))
       ->type_name("DIR");
 
@@ -64,7 +62,7 @@ void add_run(CLI::App& app, Request& request) {
   command->add_flag("--compress", options.compress,
                     "Compress h5 recordings by HDF5's own filters: less than half the size, some time a ping");
   command->add_flag("-f,--force", options.force, "Replace recordings and pictures of an earlier run");
-  command->add_flag("-q,--quiet", options.quiet, "Say nothing but warnings and errors");
+  command->add_flag("-q,--quiet", options.quiet, "Print only warnings and errors");
 
   const std::string pictures = "Pictures";
   command->add_option("--pictures", options.pictures.pictures, "Pings to draw: all, last, none or how many [20]")
@@ -94,7 +92,7 @@ void add_run(CLI::App& app, Request& request) {
       "  DIR/NAME_channels.png    distance and intensity by direction, with --channels\n"
       "What an earlier run left under these names is replaced only with --force, once the new run has ended.\n\n"
       "Keys of --set: pings, water.depth, sonars[0].max_range, sonars.NAME.max_range, or max_range for every sonar;\n"
-      "insonify describe tells them all.\n\n"
+      "insonify describe lists them all.\n\n"
       "Examples:\n"
       "  insonify run scenes/sphere.yaml\n"
       "  insonify run scenes/ferry.yaml -o out --pings 3 --set max_range=30\n"

@@ -15,7 +15,7 @@ void add_server_options(CLI::App& command, PageServerOptions& options, const std
       .add_option("--address", options.address, "Address to listen on; others than loopback need --token [127.0.0.1]")
       ->type_name("IP")
       ->group(group);
-  command.add_option("--token", options.token, "Secret that every connection must tell")
+  command.add_option("--token", options.token, "Secret that every connection must send")
       ->check(not_empty("a secret"))
       ->type_name("T")
       ->group(group);
@@ -41,7 +41,7 @@ void add_serve(CLI::App& app, Request& request) {
       ->check(levels())
       ->type_name("LOW:HIGH");
   command->add_flag("-f,--force", options.force, "Replace what an earlier recording left under the names of --record");
-  command->add_option("--rate", options.rate, "Most pings a second of each sonar; time passes more slowly then")
+  command->add_option("--rate", options.rate, "Limit of pings per second of each sonar; time passes more slowly then")
       ->check(number_within(above_to(0, 1e6)))
       ->type_name("N");
   command->add_option("--threads", options.threads, "Worker threads; 0 for as many as there are processors [0]")

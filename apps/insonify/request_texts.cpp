@@ -6,8 +6,8 @@
 namespace insonify {
 
 void add_sonars(CLI::App& app, Request& request) {
-  CLI::App* command = app.add_subcommand("sonars", "List the instruments there are presets of, or tell all of one");
-  command->add_option("PRESET", request.preset, "Instrument to tell of, with the source of each number");
+  CLI::App* command = app.add_subcommand("sonars", "List the instruments with presets, or describe one");
+  command->add_option("PRESET", request.preset, "Instrument to describe, with the source of each number");
   command->add_option("--mode", request.mode, "Mode of it, such as low or high")->type_name("MODE");
   command->footer(
       "Examples:\n"
@@ -18,15 +18,15 @@ void add_sonars(CLI::App& app, Request& request) {
 }
 
 void add_describe(CLI::App& app, Request& request) {
-  CLI::App* command = app.add_subcommand("describe", "Tell every key of a scenario: unit, limits, default, meaning");
-  command->add_option("SECTION", request.section, "One section alone: water, sonars, paper ...");
+  CLI::App* command = app.add_subcommand("describe", "List every key of a scenario: unit, limits, default, meaning");
+  command->add_option("SECTION", request.section, "One section only: water, sonars, paper ...");
   command->add_flag("--markdown", request.markdown, "As a page of the manual");
   command->footer("Examples:\n  insonify describe\n  insonify describe sonars");
   command->callback([&request] { request.act = [&request] { return describe(request.section, request.markdown); }; });
 }
 
 void add_version(CLI::App& app, Request& request) {
-  CLI::App* command = app.add_subcommand("version", "Tell the version and the engines built in");
+  CLI::App* command = app.add_subcommand("version", "Print the version and the built-in engines");
   command->footer("Example:\n  insonify version");
   command->callback([&request] { request.act = version; });
 }

@@ -17,7 +17,7 @@ import numpy.typing as npt
 
 import insonify
 
-SMALLEST = 12  # Bins: objects of which less is seen get no box.
+SMALLEST = 12  # Bins: objects with fewer visible bins get no box.
 
 
 def make_scene(random: np.random.Generator) -> insonify.Scene:

@@ -8,12 +8,12 @@
 
 namespace insonify {
 
-/// One key, all of it as users write and read it.
+/// One key, as users write and read it.
 struct KeyDescription {
   std::string key;            ///< "azimuth_aperture_deg"
   std::string unit;           ///< "deg"; may be "".
   std::string allowed;        ///< "greater than 0, at most 360", "fls, msis", "text" ...
-  std::string default_value;  ///< "120"; "-" where there is none.
+  std::string default_value;  ///< "120"; "-": none.
   std::string help;           ///< One sentence.
 };
 
@@ -24,7 +24,7 @@ struct SectionDescription {
   std::vector<KeyDescription> keys;
 };
 
-/// Every part of a scenario, in the order of the manual; made from the lists of fields the configurations give.
+/// Every part of a scenario, in the order of the manual; made from the configurations' field lists.
 [[nodiscard]] std::vector<SectionDescription> describe_scenario();
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// engine.h -- choices of how echoes are computed, and the names of the engines that compute them.
+// engine.h -- options for computing echoes, and the names of the engines.
 
 #pragma once
 
@@ -11,29 +11,29 @@ namespace insonify {
 
 /// How the nearest surface in each direction is found; the echoes are the same.
 enum class PrimaryEchoes {
-  kAuto,  ///< Whichever is likely to be faster.
+  kAuto,  ///< Picks the faster method by a cost model.
   kRays,
-  kRaster  ///< Triangles drawn into the fan's own columns and rows. `reference` traces rays all the same.
+  kRaster  ///< Triangles drawn into the fan's columns and rows. `reference` always traces rays.
 };
 
-/// From which hits a reflected ray is traced to a second surface.
+/// Selection of the hits from which a reflected ray is traced to a second surface.
 enum class SecondaryEchoes {
   kNone,
-  kSelective,  ///< A random sample of the hits, preferring those that can give a strong echo, with weights that keep
-               ///< sums unbiased; all hits whose ray may hit something where these are few.
+  kSelective,  ///< A weighted random sample of the hits (unbiased sums) that prefers strong echoes; all hits whose ray
+               ///< may hit something if these are few.
   kAll
 };
 
 /// Model of scattering and propagation.
 enum class EchoModel {
-  kPaper,      ///< That of the paper: echoes shaped to 0..1 and averaged in each bin. See paper_model.h.
+  kPaper,      ///< The paper's: echoes mapped to 0..1 and averaged in each bin. See paper_model.h.
   kCalibrated  ///< Echo intensities relative to the source's at 1 m, summed in each bin: 10 log10 of a sum is EL - SL.
 };
 
 /// Rays that one ping sent.
 struct RayCounts {
-  std::uint64_t primary = 0;    ///< Rays continued behind surfaces that transmit sound count again.
-  std::uint64_t secondary = 0;  ///< Reflected, and the few probes by which kSelective chooses.
+  std::uint64_t primary = 0;    ///< Rays continued behind transmitting surfaces count again.
+  std::uint64_t secondary = 0;  ///< Reflected rays, and kSelective's few probes.
   std::uint64_t return_legs = 0;
 
   RayCounts& operator+=(const RayCounts& other) {
@@ -44,17 +44,17 @@ struct RayCounts {
   }
 };
 
-/// Memory that an engine uses for a scene, besides the meshes themselves.
+/// Memory that an engine uses for a scene, without the meshes themselves.
 struct EngineMemory {
   std::size_t own = 0;      ///< Vertices, normals and tables [bytes].
   std::size_t library = 0;  ///< Memory allocated by the ray-tracing library [bytes].
 };
 
-/// Finds the echoes of pings on one kind of hardware; Simulator::engine() has one. What it can do is the library's own
-/// matter: pass it to fitting_view() and the like.
+/// Finds the echoes of pings on one kind of hardware. Opaque: pass Simulator::engine() to fitting_view() and similar
+/// functions.
 class Engine;
 
-/// Names of the engines built in, fastest first.
+/// Names of the built-in engines, fastest first.
 [[nodiscard]] std::vector<std::string_view> engine_names();
 
 }  // namespace insonify

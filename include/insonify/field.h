@@ -23,7 +23,7 @@ struct Limits {
   [[nodiscard]] bool allow(double value) const;
 
   /// In words: "greater than 0", "at least 1", "from 7.7 to 8.3", "any finite number".
-  /// `scale` multiplies the limits, for a field that is shown in another unit than it is kept in.
+  /// `scale` multiplies the limits, for a field displayed in a unit other than its own.
   [[nodiscard]] std::string text(double scale = 1) const;
 };
 
@@ -67,7 +67,7 @@ struct Field {
   Limits limits;          ///< Limits of a number, or of each element of a list; ignored for words.
   std::string_view help;  ///< One sentence, from a capital letter to a full stop.
   ActsIn acts = ActsIn::kEveryModel;
-  std::string_view instead = {};  ///< What has such an effect in the other model, as messages name it; may be "".
+  std::string_view instead = {};  ///< Corresponding setting of the other model, for messages; may be "".
 };
 
 /// A member of a configuration that has fields of its own: a struct, an optional struct, a list or a map of structs.

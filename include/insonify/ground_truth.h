@@ -18,7 +18,7 @@ enum class GroundTruth {
 /// Instances listed per bin with kFull.
 inline constexpr int kStrongestCount = 3;
 
-/// Instance or material of a bin in which nothing echoed.
+/// Instance or material of a bin without an echo.
 inline constexpr std::uint16_t kNoLabel = 0xffff;
 
 /// Path orders kept apart: 1 (primary, after one surface), 2 (secondary), 3.

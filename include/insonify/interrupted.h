@@ -1,4 +1,4 @@
-// interrupted.h -- exception of a long computation that is ended early.
+// interrupted.h -- the exception of an aborted computation.
 
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace insonify {
 
-/// Thrown by what was told to end before it was done, as by Simulator::stop_when().
+/// Thrown by a computation that was asked to stop, as by Simulator::stop_when().
 class Interrupted : public Error {
  public:
   Interrupted() : Error("interrupted") {}

@@ -1,4 +1,4 @@
-// mcap_recording.h -- records pings as ROS 2 messages in an MCAP file, for Foxglove, ros2 bag and their like.
+// mcap_recording.h -- records pings as ROS 2 messages in an MCAP file, for Foxglove, ros2 bag and similar tools.
 
 #pragma once
 
@@ -17,13 +17,13 @@
 
 namespace insonify {
 
-/// What a recording tells of the run that it is from.
+/// Facts about the run of a recording.
 struct RunFacts {
   std::string version = kVersion;  ///< Version of insonify that writes it.
   std::string engine = "cpu";
   std::uint64_t seed = 1;
 
-  /// Names of the scene's instances and materials, by the labels that an HDF5 recording of the run has.
+  /// Names of the scene's instances and materials, by their labels in an HDF5 recording.
   std::vector<std::string> instance_names = {}, material_names = {};
 };
 
@@ -33,36 +33,36 @@ struct RunFacts {
 struct McapOptions {
   MessageOptions messages = {};
   RunFacts run = {};
-  Log log = {};          ///< Is told at the end of values that were cut: SonarMessages::cut_text().
-  bool replace = false;  ///< Whether the recording may take the place of a file that is there already.
+  Log log = {};          ///< Receives a warning of clipped values at the end: SonarMessages::cut_text().
+  bool replace = false;  ///< Whether an existing file is replaced.
 
-  /// Whether the file appears under its name only when it is closed, and leaves nothing where it is not.
+  /// Whether the file appears under its name only when closed, and is removed if it is not.
   bool only_whole = false;
 };
 
 /// Writes the pings of one or several sonars of a run to one MCAP file: profile "ros2", schemas "ros2msg", messages
 /// "cdr", compressed by zstd in chunks with checksums and indexes. docs/reference/messages.md lists the channels.
 ///
-/// What was added half a second ago is on the disk: a killed run leaves a file that readers can follow to its last
-/// chunk, though it has no index. Files that are there already are treated as by Recording. RecordedPings reads them.
+/// Pings reach the disk within half a second: a killed run leaves a file without an index that is readable up to its
+/// last chunk. Existing files are treated as by Recording. RecordedPings reads MCAP files.
 class McapRecording {
  public:
-  /// @param sources  One a sonar, whose names must differ.
-  /// @throws Error when the file cannot be made, or `path` is there and may not be replaced; for options out of limits.
+  /// @param sources  One per sonar, with different names.
+  /// @throws Error if the file cannot be made, or `path` exists and may not be replaced; for options out of limits.
   McapRecording(const std::filesystem::path& path, std::vector<MessageSource> sources, const McapOptions& options = {});
   ~McapRecording();
   McapRecording(McapRecording&&) noexcept;
   McapRecording& operator=(McapRecording&&) noexcept;
 
   /// @param sonar  Index into the sources.
-  /// @throws Error when the disk is full, with what was written before readable; for a ping that SonarMessages refuses.
+  /// @throws Error if the disk is full, with earlier pings readable; for a ping that SonarMessages refuses.
   void add(std::size_t sonar, const Ping& ping);
 
-  /// Writes the index, has the system put everything on the disk and replaces the earlier file, if there is one. The
-  /// destructor does the same without reporting errors, but leaves an earlier file where it is.
+  /// Writes the index, flushes everything to disk and replaces an existing file. The destructor does the same without
+  /// reporting errors, but does not replace an existing file.
   void close();
 
-  /// Where the recording is now: `path`, or beside it until it replaces an earlier file.
+  /// Current path of the recording: `path`, or a file beside it until it replaces an existing one.
   [[nodiscard]] const std::filesystem::path& place() const;
 
  private:
@@ -70,7 +70,7 @@ class McapRecording {
   std::unique_ptr<State> state_;
 };
 
-/// Bytes on the disk that an MCAP recording of that many pings needs at most, about.
+/// Approximate largest size on disk of an MCAP recording of that many pings [bytes].
 [[nodiscard]] std::uint64_t mcap_bytes(const SonarConfig& sonar, std::uint64_t pings,
                                        const MessageOptions& options = {});
 

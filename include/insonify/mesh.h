@@ -20,7 +20,7 @@ struct Mesh {
   std::vector<Vec3f> normals;                           ///< Unit shading normals, one per vertex.
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< Indices into `vertices`.
   std::vector<std::uint16_t> material_slots;    ///< Index into `material_names`, one per triangle; empty: all 0.
-  std::vector<std::string> material_names{""};  ///< Names in the file, at least one; "" where the file has none.
+  std::vector<std::string> material_names{""};  ///< Names in the file, at least one; "" if the file has none.
 
   /// Texture coordinates of each triangle's corners, 0..1 to the right and up over a picture; empty: none.
   std::vector<std::array<Eigen::Vector2f, 3>> texture_coordinates;
@@ -32,7 +32,7 @@ struct Mesh {
   }
 };
 
-/// What clean_mesh() removed or changed.
+/// Changes made by clean_mesh().
 struct MeshReport {
   std::size_t triangles_read = 0;
   std::size_t zero_area = 0;        ///< Dropped: the corners lie on a line.

@@ -16,27 +16,27 @@
 
 namespace insonify {
 
-/// What messages tell of a sonar beside its pings.
+/// Information about a sonar in its messages, beyond its pings.
 struct MessageSource {
-  SonarConfig sonar;  ///< With everything filled in, as Simulator::sonar() has it.
+  SonarConfig sonar;  ///< From Simulator::sonar(), with everything filled in.
   EchoModel model = EchoModel::kCalibrated;
   ReceiverConfig receiver;  ///< Receiver of this sonar: Scenario::receiver_of().
-  std::string scenario;     ///< Text of the scenario file, as recordings hold it; "" for none.
-  std::string name = {};    ///< Name in its topics and frames; "" for the sonar's, with what ROS does not allow as `_`.
+  std::string scenario;     ///< Text of the scenario file, as in recordings; "": none.
+  std::string name = {};    ///< Name in topics and frames; "": the sonar's, with `_` for characters invalid in ROS.
 };
 
-/// Sonars of the scenario whose topics would have the same name are told apart: the second gets `_2` at its end, the
-/// third `_3` ...
-/// @param sonar  As Simulator::sonar() has it.
+/// Sonars whose topics would have the same name get unique ones: the second one has the suffix `_2`, the third `_3`
+/// ...
+/// @param sonar  From Simulator::sonar().
 [[nodiscard]] MessageSource message_source(const Scenario& scenario, const SonarConfig& sonar);
 
-/// Gives the sonars of one run names that topics can tell apart, as message_source() does for those of a scenario.
+/// Gives the sonars of one run unique topic names, as message_source() does for those of a scenario.
 /// @throws Error for two sonars of the same name.
 void name_topics(std::vector<MessageSource>& sources);
 
-/// How pings become messages.
+/// Options for messages of pings.
 struct MessageOptions {
-  int bits = 16;  ///< Bits of a value of ProjectedSonarImage, 8 or 16.
+  int bits = 16;  ///< Bits per value of ProjectedSonarImage, 8 or 16.
 
   /// Levels of the darkest and the brightest value, in sonar images and fans [dB]; absent: see SonarMessages::levels().
   std::optional<double> low_db = {}, high_db = {};
@@ -48,8 +48,8 @@ struct MessageOptions {
   double strong_share = 0.01;                  ///< Share of a ping's cells that become points, in (0, 1].
   std::string world_frame = "world";           ///< Name of the frame of the world, not empty.
 
-  /// Fan pictures of each sonar that a file holds for a second of the pings' times, at most, 0..1000 [1/s]; 0: none.
-  /// Absent: kScanningFanRate for a scanning sonar, whose picture changes by a beam a ping; a picture of every ping for
+  /// Largest rate of fan pictures in a file, per sonar and second of ping time, 0..1000 [1/s]; 0: none. Absent:
+  /// kScanningFanRate for a scanning sonar, whose picture changes by one beam per ping; one per ping for
   /// others.
   std::optional<double> fan_rate = {};
 
@@ -59,7 +59,7 @@ struct MessageOptions {
   /// the start that the recordings have.
   std::optional<std::uint64_t> start_ns = {};
 
-  /// The rate at which a file holds fan pictures of a sonar [1/s]; absent: one of every ping.
+  /// Rate of a sonar's fan pictures in a file [1/s]; absent: one per ping.
   [[nodiscard]] std::optional<double> fan_rate_of(const SonarConfig& sonar) const;
 
   /// @throws Error on the first field out of limits.
@@ -85,7 +85,7 @@ struct MessageOptions {
   }
 };
 
-/// Reads the start of a run, a time of ISO 8601 with its zone: "2026-06-01T10:00:00Z", "2026-06-01T12:00:00.25+02:00".
+/// Parses the start of a run, an ISO 8601 time with zone: "2026-06-01T10:00:00Z", "2026-06-01T12:00:00.25+02:00".
 /// @return  Time since 1970-01-01T00:00:00Z, below 2^31 s [ns].
 /// @throws Error for anything else; the message begins with the text.
 [[nodiscard]] std::uint64_t start_from_text(std::string_view text);
@@ -93,13 +93,13 @@ struct MessageOptions {
 /// A start as text, in UTC: "2026-06-01T10:00:00.25Z".
 [[nodiscard]] std::string start_text(std::uint64_t start_ns);
 
-/// Whose messages are made. The types of ROS 2 and ROS 1 are the same, their bytes and definitions are not.
+/// Framework of the messages. ROS 2 and ROS 1 have the same types, with different bytes and definitions.
 enum class MessageForm { kRos2, kRos1, kGazebo };
 
-/// What a channel tells.
+/// Contents of a channel.
 enum class MessageKind { kSonarImage, kFan, kPoints, kPose, kTransforms, kScenario, kRaw };
 
-/// Messages of one kind, under one topic.
+/// Messages of one kind on one topic.
 struct MessageChannel {
   MessageKind kind = MessageKind::kSonarImage;
   std::string topic;       ///< "/fls/points"; "/tf" and "/scenario" are the same for all sonars.
@@ -117,8 +117,8 @@ struct MessageLevels {
   double gain_per_decade = 0;  ///< Gain over range added before the mapping [dB/decade of range in m].
 };
 
-/// Tells the pings of one sonar as ROS messages: of ROS 2 encoded as CDR (XCDR1, little-endian, with its four-byte
-/// header), of ROS 1 in the form of its topics and bags, with the ping's number as `header.seq`.
+/// Encodes the pings of one sonar as ROS messages: for ROS 2 as CDR (XCDR1, little-endian, with its four-byte header),
+/// for ROS 1 in the form of its topics and bags, with the ping's number as `header.seq`.
 ///
 /// | Kind        | Topic              | Type                                         | Frame       |
 /// | ----------- | ------------------ | -------------------------------------------- | ----------- |
@@ -130,7 +130,7 @@ struct MessageLevels {
 /// | kScenario   | /scenario          | std_msgs/msg/String                          |             |
 /// | kRaw        | /NAME/raw          | sensor_msgs/msg/Image, mono8 or mono16       | NAME        |
 ///
-/// kRaw is there with MessageOptions::raw only: the values of the sonar image, row i its bin i, column 0 the beam
+/// kRaw exists with MessageOptions::raw only: the values of the sonar image, row i its bin i, column 0 the beam
 /// furthest to port. NAME is MessageSource::name. Frame NAME is that of the housing (x forward, y to port, z up).
 /// NAME_beams, of the sonar image, has z along the middle of the fan, y to port, x down. docs/reference/messages.md has
 /// every field.
@@ -154,30 +154,30 @@ class SonarMessages {
   /// model linear, from 0 to 1.
   [[nodiscard]] MessageLevels levels() const;
 
-  /// Takes in a ping, of which encode() tells from then on. Of a scanning sonar the fan shows all pings taken in, of
-  /// the last turn of its head.
-  /// @throws Error for a ping that has not the sonar's beams and bins, and for a time that is below 0 or, counted from
-  ///         1970 where there is a start, from 2^31 s on, which a ROS time cannot hold.
+  /// Sets the current ping, for encode(). The fan of a scanning sonar shows all pings of the head's last turn.
+  /// @throws Error for a ping that does not have the sonar's beams and bins, and for a time below 0
+  ///         or from 2^31 s on (counted from 1970 if there is a start), which a ROS time cannot
+  ///         hold.
   void take(const Ping& ping) { take(ping, ping.time); }
 
-  /// The same by another clock than the scenario's.
+  /// The same with the time of another clock.
   /// @param time  Of transmission, by that clock [s].
   void take(const Ping& ping, double time);
 
-  /// Whether a file holds the message about the ping taken in last. It leaves out fan pictures beyond
-  /// MessageOptions::fan_rate; programs that send messages when they are asked for need not look.
+  /// Whether files hold this message of the current ping: they skip fan pictures beyond MessageOptions::fan_rate.
+  /// Programs that send messages on request need not check.
   /// @param channel  Index into channels().
   [[nodiscard]] bool is_due(std::size_t channel) const;
 
-  /// A message about the ping taken in last. Several threads may encode at once.
+  /// The message of the current ping. Several threads may encode at once.
   /// @param channel  Index into channels().
   [[nodiscard]] std::vector<std::byte> encode(std::size_t channel) const;
 
-  /// "286 of 64000 values of fls are above the highest level, -40 dB, and are cut there; the loudest has -30.4 dB", of
-  /// all pings taken in; "" where none is.
+  /// "286 of 64000 values of fls are above the highest level, -40 dB, and are clipped; the loudest has -30.4 dB", of
+  /// all pings so far; "" if none is.
   [[nodiscard]] std::string cut_text() const;
 
-  /// The time of the ping taken in last, counted from 1970 where there is a start [ns].
+  /// Time of the current ping, counted from 1970 if there is a start [ns].
   [[nodiscard]] std::uint64_t time_ns() const;
 
  private:

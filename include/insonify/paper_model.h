@@ -20,7 +20,7 @@ struct PaperModel {
   double sigmoid_midpoint = 0.1;  ///< Strength that is drawn at half (before scaling), 0..1.
   double sigmoid_slope = 12;      ///< Steepness at the midpoint, times 4, in (0, 1e6].
 
-  // Noise: intensity x multiplicative + additive, both Gaussian and drawn anew for every ping, beam and bin.
+  // Noise: intensity x multiplicative + additive, both Gaussian and independent for every ping, beam and bin.
   double multiplicative_mean = 1.0;        ///< 0..1e6. The authors' code has 0.4.
   double multiplicative_deviation = 0.25;  ///< 0..1e6. The authors' code has 0.15.
   double additive_deviation = 0.01;        ///< 0..1e6, about a zero mean. The authors' code has none.

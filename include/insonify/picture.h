@@ -79,22 +79,22 @@ struct Rgb {
   std::uint8_t red, green, blue;
 };
 [[nodiscard]] Rgb colour(ColourMap map, double value);
-/// @throws Error listing the names there are.
+/// @throws Error listing the known names.
 [[nodiscard]] ColourMap colour_map_from_name(std::string_view name);
 
 /// Gain over range with which pings of the calibrated model are shown: 30 dB per decade of range, which compensates the
 /// fall of a flat floor's echo. They are shown on a decibel scale that ends at fitting_full_scale().
 inline constexpr double kShownGainPerDecade = 30;
 
-/// The display with which pings are shown unless something else is asked for: linear in the paper's model; in the
-/// calibrated one decibels, with a gain of kShownGainPerDecade where the receiver applies none of its own.
+/// The default display of pings: linear in the paper model; decibels in the calibrated one, with a gain of
+/// kShownGainPerDecade unless the receiver applies its own.
 [[nodiscard]] Display usual_display(EchoModel model, const ReceiverConfig& receiver);
 
 /// The ping with its intensities times r^(X/10), r in metres.
 /// @param decibels_per_decade  X.
 [[nodiscard]] Ping raised_by_range(Ping ping, const SonarConfig& sonar, double decibels_per_decade);
 
-/// The display of counts, as the instrument delivers them: linear, from 0 to the greatest, 2^bits - 1.
+/// The display of an instrument's counts: linear, from 0 to the greatest, 2^bits - 1.
 [[nodiscard]] Display counts_display(const SonarConfig& sonar);
 
 /// The ping with its counts as its intensities, for a counts_display().
@@ -105,12 +105,12 @@ inline constexpr double kShownGainPerDecade = 30;
 /// most 25 dB below the strongest; rounded up to a multiple of 5 dB. 1 if all intensities are zero.
 [[nodiscard]] double fitting_full_scale(std::vector<float> intensities);
 
-/// The intensities of a ping that its full scale is to fit: those of bins beyond the sonar's dead_range. Nearer there
-/// is nothing but the transmit leak, far stronger than all echoes. All bins where none is beyond it.
+/// The intensities of a ping for fitting its full scale: those of bins beyond the sonar's dead_range, which holds only
+/// the transmit leak, far stronger than all echoes. All bins if none is beyond it.
 [[nodiscard]] std::vector<float> intensities_to_fit(const Ping& ping, const SonarConfig& sonar);
 
 // Azimuths are labelled as bearings: "30° P" to port, "30° S" to starboard; for a vertical mounting as slopes, "30° up"
-// and "30° down". Drawing throws Error for a display out of limits and for a ping that has not the sonar's beams and
+// and "30° down". Drawing throws Error for a display out of limits and for a ping without the sonar's beams and
 // bins. NaN is drawn as intensity 0.
 
 /// The table of beams x bins: beams across (port to the left, azimuth in degrees), range upwards in metres.

@@ -22,26 +22,26 @@ struct Ping {
   int beam_count = 0;
   std::vector<float> intensity;  ///< Echo intensity; 0..1 in the `paper` model.
 
-  // Where the receiver is asked for them, else empty.
-  std::vector<std::complex<float>> field;  ///< What intensity is the squared magnitude of; phase re the carrier.
+  // If requested of the receiver, else empty.
+  std::vector<std::complex<float>> field;  ///< Complex field: |field|^2 is the intensity; phase re the carrier.
   std::vector<std::uint16_t> counts;       ///< As the instrument delivers them, see SonarConfig::bits.
 
   // Ground truth, from the same deposit; docs/concepts/ground-truth.md. Empty with GroundTruth::kNone.
   std::vector<std::uint16_t>
-      instance;  ///< Index into Scene::instances of the strongest; kNoLabel where nothing echoed.
-  std::vector<std::uint16_t> material;  ///< Index into Scene::materials of the same.
-  std::vector<float> elevation;  ///< Mean elevation of the same in the sonar frame [rad]; NaN where nothing echoed.
+      instance;  ///< Index into Scene::instances of the strongest surface in the bin; kNoLabel: no echo.
+  std::vector<std::uint16_t> material;  ///< Index into Scene::materials of its material.
+  std::vector<float> elevation;         ///< Its mean elevation in the sonar frame [rad]; NaN: no echo.
 
-  // Filled in with GroundTruth::kFull only, of what falls into each beam's own slice of azimuth. The first two hold
-  // kStrongestCount values a bin, the strongest first: value k of a cell is at [kStrongestCount * index(bin, beam) +
+  // Filled in with GroundTruth::kFull only, from echoes in each beam's own slice of azimuth. The first two hold
+  // kStrongestCount values per bin, the strongest first: value k of a cell is at [kStrongestCount * index(bin, beam) +
   // k].
   std::vector<std::uint16_t> strongest_instance;  ///< Indices into Scene::instances; kNoLabel beyond the last.
-  std::vector<float> strongest_share;    ///< What each gave of the energy of the bin's echoes, 0..1; 0 beyond the last.
-  std::vector<float> elevation_spread;   ///< Standard deviation of the strongest's elevations [rad]; NaN where none.
-  std::vector<std::uint8_t> path_order;  ///< Surfaces met by the paths that gave most, 1..kPathOrders; 0 where none.
+  std::vector<float> strongest_share;    ///< Share of each in the energy of the bin's echoes, 0..1; 0 beyond the last.
+  std::vector<float> elevation_spread;   ///< Standard deviation of the strongest's elevations [rad]; NaN: no echo.
+  std::vector<std::uint8_t> path_order;  ///< Number of surfaces on the strongest paths, 1..kPathOrders; 0: no echo.
   std::vector<float> shadow;             ///< For bins without a direct echo: the share of the beam that nearer surfaces
                                          ///< hide, 0..1; of others 0.
-  std::vector<float> direct_intensity;   ///< What paths with one surface give, noise and speckle left out.
+  std::vector<float> direct_intensity;   ///< Intensity of paths with one surface, without noise and speckle.
 
   [[nodiscard]] std::size_t index(int bin, int beam) const { return static_cast<std::size_t>(bin) * beam_count + beam; }
 };

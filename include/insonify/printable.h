@@ -1,4 +1,4 @@
-// printable.h -- makes text fit for messages: escapes control characters, limits the length, tells counts.
+// printable.h -- makes text fit for messages: escapes control characters, limits the length, formats counts.
 
 #pragma once
 
@@ -20,8 +20,8 @@ inline constexpr std::size_t kLongestMessage = 2000;  ///< Limit for a whole mes
 /// @param longest  Limit for the result [bytes], >= 10.
 [[nodiscard]] std::string printable(std::string_view text, std::size_t longest = kLongestQuote);
 
-/// A count and what is counted: "1 beam", "256 beams".
-/// @param what  Its singular; the plural has an s more.
+/// A count with its noun: "1 beam", "256 beams".
+/// @param what  The singular; the plural adds an s.
 [[nodiscard]] std::string counted(std::uint64_t count, std::string_view what);
 
 }  // namespace insonify

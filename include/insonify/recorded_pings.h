@@ -15,19 +15,19 @@
 
 namespace insonify {
 
-/// The pings of one sonar, of which a file that is still being written has those that it had when it was opened. By
-/// what the file's first bytes say it is
+/// The pings of one sonar. Of a file that is still being written, those that it had when it was opened. The format is
+/// recognised by the file's first bytes:
 ///
 /// - HDF5: any file with a numeric dataset `intensity` [ping, bin, beam] at its root, such as Recording writes;
-/// - MCAP: one that insonify has written (McapRecording), also an unfinished one. Its intensities are what the values
-/// of
-///   the sonar images stand for: within half a step of their levels (0.0005 dB with 16 bits), 0 at and below the lowest
-///   level, the highest level above it. docs/reference/messages.md has the levels.
+/// - MCAP: a file that insonify has written (McapRecording), also an unfinished one. Its intensities are decoded from
+/// the
+///   sonar images: exact within half a step of their levels (0.0005 dB with 16 bits), 0 at and below the lowest level,
+///   clipped at the highest. docs/reference/messages.md has the levels.
 class RecordedPings {
  public:
   /// @param sonar  Name of the sonar; "" for the only one.
-  /// @throws Error with the path for a file that is missing or is neither, and for a sonar that it does not have,
-  ///         naming those that it has.
+  /// @throws Error with the path for a missing file or one of another format, and for an unknown sonar, with the names
+  ///         of those in the file.
   explicit RecordedPings(const std::filesystem::path& path, const std::string& sonar = "");
   ~RecordedPings();
   RecordedPings(RecordedPings&&) noexcept;
@@ -37,10 +37,10 @@ class RecordedPings {
   [[nodiscard]] int bin_count() const;
   [[nodiscard]] int beam_count() const;
 
-  /// Name of the sonar; "" where the file does not have one.
+  /// Name of the sonar; "" if the file has none.
   [[nodiscard]] const std::string& sonar() const;
 
-  /// Model of the echo: "calibrated", "paper", or "" where the file does not say.
+  /// Model of the echo: "calibrated", "paper", or "" if unknown.
   [[nodiscard]] const std::string& model() const;
 
   /// Intensity at full scale: for integer datasets the largest number of the type (255 for 8 bits), else 1.
@@ -48,23 +48,23 @@ class RecordedPings {
 
   /// The intensities of one ping as stored, bin_count() x beam_count().
   /// @param ping  Below ping_count().
-  /// @throws Error with the path where the file cannot be read.
+  /// @throws Error with the path if the file cannot be read.
   [[nodiscard]] std::vector<double> intensity(std::uint64_t ping) const;
 
   /// The greatest count of the instrument, 2^bits - 1; 0 for a recording without counts (ReceiverConfig::counts).
   [[nodiscard]] double greatest_count() const;
 
-  /// The counts of one ping, as intensity(); only where there are any.
+  /// The counts of one ping, as intensity(); only if the recording has counts.
   [[nodiscard]] std::vector<double> counts(std::uint64_t ping) const;
 
-  /// One ping to be drawn: number, time, pose, head angle and intensities; no ground truth.
+  /// One ping for drawing: number, time, pose, head angle and intensities, without ground truth.
   /// @param ping  Below ping_count().
-  /// @throws Error with the path where the file cannot be read, or has no time or pose of its pings.
+  /// @throws Error with the path if the file cannot be read, or has no times or poses.
   [[nodiscard]] Ping ping(std::uint64_t ping) const;
 
-  /// The settings of the sonar and of its receiver, as the recording holds them. Settings that it does not have keep
-  /// their defaults.
-  /// @throws Error with the path where the file has none, or a setting of another kind.
+  /// The settings of the sonar and of its receiver in the recording. Missing ones have their
+  /// defaults.
+  /// @throws Error with the path if the file has no settings, or one of the wrong type.
   [[nodiscard]] SonarConfig sonar_config() const;
   [[nodiscard]] ReceiverConfig receiver_config() const;
 

@@ -14,29 +14,29 @@
 
 namespace insonify {
 
-/// Whether a recording was ended as it should.
+/// Whether a recording was closed properly.
 enum class RecordingState {
   kWhole,
   kGrowing,     ///< A run is writing it.
   kUnfinished,  ///< The run that wrote it was killed (of MCAP: or its disk was full); its pings can be read.
-  kDiskFull     ///< It ends as it should, before its run did, because the disk was full.
+  kDiskFull     ///< It was closed properly, before the end of its run, because the disk was full.
 };
 
-/// The state as files and Python name it: "whole", "growing", "unfinished", "disk_full".
+/// Name of the state in files and Python: "whole", "growing", "unfinished", "disk_full".
 [[nodiscard]] const char* state_word(RecordingState state);
 
 /// The state in words: "unfinished: the run that wrote it was killed"; "" for a whole recording.
 /// @param format  Format of the recording: RecordingInfo::format.
 [[nodiscard]] const char* state_text(RecordingState state, std::string_view format);
 
-/// Reads the state of a recording and nothing else.
-/// @throws Error with the path for a file that is missing or is no recording.
+/// Reads only the state of a recording.
+/// @throws Error with the path for a file that is missing or not a recording.
 [[nodiscard]] RecordingState recording_state(const std::filesystem::path& path);
 
-/// How exactly a recording holds intensities.
+/// Precision of a recording's intensities.
 struct RecordedLevels {
   MessageLevels levels;
-  int bits = 16;          ///< Bits of a value, 8 or 16.
+  int bits = 16;          ///< Bits per value, 8 or 16.
   std::string text = {};  ///< "-100 to -40 dB in steps of 0.00092 dB ...".
 };
 
@@ -52,7 +52,7 @@ struct RecordingInfo {
   std::string format = {};  ///< "HDF5" or "MCAP".
   RecordingState state = RecordingState::kWhole;
   std::uint64_t bytes = 0;   ///< Size of the file.
-  std::string version = {};  ///< Version of insonify that made it.
+  std::string version = {};  ///< Version of insonify that wrote it.
   std::string model = {};    ///< "calibrated" or "paper".
   std::string engine = {};   ///< "cpu", "reference".
   std::optional<std::uint64_t> seed = {};
@@ -63,7 +63,7 @@ struct RecordingInfo {
   std::vector<std::string> contents = {};  ///< Tables of an HDF5 file, topics of an MCAP file.
 };
 
-/// Reads .h5, .hdf5 and .mcap files that insonify has recorded, also unfinished ones (their names end in .new).
+/// Reads .h5, .hdf5 and .mcap files recorded by insonify, also unfinished ones (with names in .new).
 /// @throws Error with the path for anything else.
 [[nodiscard]] RecordingInfo recording_info(const std::filesystem::path& path);
 
@@ -71,7 +71,7 @@ struct RecordingInfo {
 /// killed; it has 12 pings"; "" for a whole recording.
 [[nodiscard]] std::string unfinished_text(const std::filesystem::path& path, const RecordingInfo& info);
 
-/// Whether a file begins as MCAP files do.
+/// Whether a file starts like an MCAP file.
 [[nodiscard]] bool is_mcap(const std::filesystem::path& path);
 
 }  // namespace insonify

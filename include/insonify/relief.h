@@ -39,7 +39,7 @@ struct Relief {
   Tile<float> reflectivity = {};  ///< Factor on the material's reflectivity, 0..1.
 
   double tile_size = 1;      ///< Side of a tile that is mapped by position [m]; 0: only by texture coordinates.
-  bool by_position = false;  ///< Map by position even where the mesh has texture coordinates.
+  bool by_position = false;  ///< Map by position even if the mesh has texture coordinates.
 };
 
 /// Relief as described in a scenario: by maps, or by the parameters of random ripples and roughness.

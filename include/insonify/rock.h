@@ -1,4 +1,4 @@
-// rock.h -- pings as base::samples::Sonar of the Rock framework; needs none of Rock's headers itself.
+// rock.h -- converts pings to base::samples::Sonar of the Rock framework, without including Rock's headers.
 
 #pragma once
 
@@ -15,31 +15,31 @@
 
 namespace insonify {
 
-/// How pings become samples of Rock.
+/// Options for Rock samples.
 struct RockOptions {
   std::int64_t epoch_us = 0;  ///< Time at which Ping::time is 0 [us since 1970].
 
-  /// Whether beams run from port to starboard with bearings from negative to positive, as the simulator of Cerqueira et
-  /// al. fills them; Rock's own convention has bearings positive to port.
+  /// Whether beams run from port to starboard with bearings from negative to positive, as in the simulator of Cerqueira
+  /// et al.; in Rock's own convention bearings are positive to port.
   bool mirrored = false;
 
-  /// Whether beam_width is that of the whole fan, as the same simulator has it; else that of one beam.
+  /// Whether beam_width is that of the whole fan, as in the same simulator; else that of one beam.
   bool fan_width = false;
 };
 
-/// Range bins as base::samples::Sonar counts them: from range 0 on, of a whole number of microseconds one way.
+/// Range bins of base::samples::Sonar: from range 0, each a whole number of microseconds long, one way.
 struct RockBins {
   std::int64_t duration_us = 0;  ///< One way, at least 1.
-  double sound_speed = 0;        ///< With which a bin of that duration has the sonar's bin length [m/s].
+  double sound_speed = 0;        ///< Gives a bin of that duration the sonar's bin length [m/s].
   int leading = 0;               ///< Bins before the sonar's first, without echoes.
 
-  /// Ranges of the sample less those of the sonar: at most half a bin, where min_range is no whole number of bins [m].
+  /// Ranges of the sample minus those of the sonar [m]: at most half a bin, 0 if min_range is a whole number of bins.
   double range_error = 0;
 };
 
-/// Bins of 0.1 m at 1500 m/s last 66.7 us; 67 us of 1500 m/s would place bin 400 at 40.2 m. So the sample's sound speed
-/// is the one that makes ranges right, 1492.5 m/s.
-/// @param sonar  As Simulator::sonar() has it.
+/// Bins of 0.1 m at 1500 m/s last 66.7 us; with 67 us at 1500 m/s bin 400 would be at 40.2 m. So the sample has the
+/// sound speed that gives correct ranges, 1492.5 m/s.
+/// @param sonar  From Simulator::sonar().
 [[nodiscard]] inline RockBins rock_bins(const SonarConfig& sonar) {
   RockBins bins;
   const double length = sonar.bin_length();
@@ -51,18 +51,18 @@ struct RockBins {
   return bins;
 }
 
-/// One ping as base::samples::Sonar (rock-core/base-types), bins from 0 to 1 between the levels that images have.
+/// One ping as base::samples::Sonar (rock-core/base-types), with bins from 0 to 1 between the levels of images.
 ///
 /// Beams run counter-clockwise seen from above, from starboard to port, each with the bearing of its centre (positive
 /// to port, 0 ahead, with the angle of a scanning head); bins are beam-major. `time` is that of transmission;
-/// `timestamps` stays empty, as all beams are heard at once. Nothing but the names of members is asked of `Sonar`, so
-/// that a program needs base-types only where it has them:
+/// `timestamps` stays empty, since all beams receive at once. `Sonar` only needs members of these names, so that
+/// insonify does not depend on base-types:
 ///
 ///     base::samples::Sonar sample = insonify::to_rock<base::samples::Sonar>(ping, sonar, messages.levels());
 ///
-/// @param sonar   As Simulator::sonar() has it.
-/// @param levels  SonarMessages::levels(), or others.
-/// @throws Error for a ping that has not the sonar's beams and bins.
+/// @param sonar   From Simulator::sonar().
+/// @param levels  SonarMessages::levels(), or other ones.
+/// @throws Error for a ping without the sonar's beams and bins.
 template <typename Sonar>
 [[nodiscard]] Sonar to_rock(const Ping& ping, const SonarConfig& sonar, const MessageLevels& levels,
                             const RockOptions& options = {}) {
@@ -87,7 +87,7 @@ template <typename Sonar>
   sample.bearings.clear();
   sample.bins.assign(static_cast<std::size_t>(sample.beam_count) * sample.bin_count, 0.0F);
 
-  // What an intensity is multiplied by in each bin, then mapped to 0..1.
+  // Factor on intensities in each bin, before mapping to 0..1.
   const auto value = [&](int bin, float intensity) {
     const double raised = intensity * std::pow(sonar.bin_range(bin), levels.gain_per_decade / 10);
     if (!levels.decibels) {

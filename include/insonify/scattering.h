@@ -43,11 +43,11 @@ class AngleTable {
   std::array<double, kSteps + 1> values_ = {};
 };
 
-/// What depends on the angle of incidence beyond Lambert's law and the facet lobe, per cosine of incidence.
+/// Angle-dependent terms beyond Lambert's law and the facet lobe, by cosine of incidence.
 struct AngularScattering {
   AngleTable reflectance;  ///< |R|^2 of reflected rays, and of facets.
-  AngleTable backscatter;  ///< Backscattering cross section that comes on top of both laws, over the cosine [1/sr].
-  AngleTable diffuse;      ///< b: between two directions, b(in) b(out) cos(in) cos(out) comes on top of both laws.
+  AngleTable backscatter;  ///< Backscattering cross section in addition to both laws, over the cosine [1/sr].
+  AngleTable diffuse;      ///< b: b(in) b(out) cos(in) cos(out) between two directions, in addition to both laws.
 };
 
 /// How a surface scatters and reflects sound in the `calibrated` model; the formulas are those of
@@ -60,7 +60,7 @@ struct Scattering {
   /// Whether facets act as mirrors. If not, only the coherent share of the reflected sound is reflected as by a mirror;
   /// the rest counts as diffuse, and only random walks follow it.
   bool facets_mirror = true;
-  std::shared_ptr<const AngularScattering> by_angle = {};  ///< Null: |R| is the same at all angles, and nothing on top.
+  std::shared_ptr<const AngularScattering> by_angle = {};  ///< Null: |R| is the same at all angles, without more terms.
   std::shared_ptr<const AngleTable> passed = {};           ///< |T|^2, share of the transmitted energy; null: opaque.
 
   /// |R|^2 at an angle of incidence.

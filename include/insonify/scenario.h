@@ -1,4 +1,4 @@
-// scenario.h -- what to simulate: a world, the water, the sonars, how they move and how often they ping.
+// scenario.h -- what to simulate: world, water, sonars, their motion and their pings.
 
 #pragma once
 
@@ -22,7 +22,7 @@
 
 namespace insonify {
 
-/// Where something is at a time.
+/// A pose at a time.
 struct Waypoint {
   double time = 0;                  ///< [s], within 1e10.
   Vec3 position = Vec3::Zero();     ///< [m], within 1e7.
@@ -45,10 +45,10 @@ struct Trajectory {
   void validate(std::string_view object) const;
 };
 
-/// Something in the world that moves by itself.
+/// An object of the world that moves by itself.
 struct Motion {
   std::string object = {};     ///< A model, link or visual by its scoped name.
-  Trajectory trajectory = {};  ///< Where the object's own frame is; its parts move with it.
+  Trajectory trajectory = {};  ///< Poses of the object's frame; its parts move with it.
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -62,7 +62,7 @@ struct Motion {
   }
 };
 
-/// A camera for a look at the scene beside the ping.
+/// A camera for a picture of the scene.
 struct ViewConfig {
   Vec3 position = Vec3::Zero();                     ///< Position of the camera in the world [m], within 1e8.
   Vec3 look_at = Vec3::UnitX();                     ///< [m], within 1e8.
@@ -79,66 +79,66 @@ struct ViewConfig {
 };
 
 struct Scenario {
-  std::filesystem::path file;  ///< It was read from; empty when made in code.
-  /// The file as read, with --set applied, which recordings hold. A program that changes a scenario it has read clears
-  /// this: recordings hold to_yaml() where it is empty.
+  std::filesystem::path file;  ///< Source file; empty if made in code.
+  /// Text of the file with --set applied, for recordings. A program that changes a scenario after reading it must clear
+  /// this: if it is empty, recordings hold to_yaml().
   std::string text;
-  Places places;  ///< Where its settings stand in the file, for messages; empty when made in code.
+  Places places;  ///< Places of its settings in the file, for messages; empty if made in code.
 
   std::filesystem::path
       world;  ///< SDF world or model, Stonefish scenario, mesh or height grid; absolute. Empty for open water.
   bool collisions = false;          ///< Insonify the world's collision shapes instead of its visuals.
-  bool strict = false;              ///< Whether a part of the world that is missing is an error, and not left out.
-  std::vector<std::string> ignore;  ///< Objects of the world to leave out, as WorldOptions::ignore.
+  bool strict = false;              ///< Whether a missing part of the world is an error; else it is skipped.
+  std::vector<std::string> ignore;  ///< Objects of the world to ignore, as WorldOptions::ignore.
   EchoModel model = EchoModel::kCalibrated;
   std::string engine = "cpu";
   PrimaryEchoes primary = PrimaryEchoes::kAuto;
   SecondaryEchoes secondary = SecondaryEchoes::kSelective;
-  int max_surfaces = kPathOrders;    ///< Most surfaces that a path meets, 1..3.
+  int max_surfaces = kPathOrders;    ///< Largest number of surfaces on a path, 1..3.
   bool rough_mirrors = false;        ///< Whether mirrors reflect by facets only, for any rms_height.
   int random_walks = 0;              ///< Random walks per ping, 0..1e6: reverberation of closed spaces; 0: none.
   bool motion_in_ping = false;       ///< Whether the sonar moves between transmission and reception.
   bool mutual_interference = false;  ///< Whether each sonar receives the pulses of the others.
   GroundTruth ground_truth = GroundTruth::kLabels;
   std::uint64_t seed = 1;
-  int pings = 1;                   ///< >= 1; of each sonar, unless `duration` or `turns` says how many.
-  std::optional<double> duration;  ///< [s], above 0: pings of each sonar from time 0 until before then.
-  std::optional<double> turns;     ///< Above 0: of scanning heads, full turns or sweeps across their sectors.
+  int pings = 1;                   ///< Pings per sonar, >= 1, unless `duration` or `turns` is given.
+  std::optional<double> duration;  ///< Pings of each sonar from time 0 until before this time [s], > 0.
+  std::optional<double> turns;     ///< Full turns of scanning heads, or sweeps across their sectors, > 0.
 
   Water water;
   PaperModel paper;
-  ReceiverConfig receiver;  ///< Receiver of all sonars that have none of their own.
+  ReceiverConfig receiver;  ///< Receiver of all sonars without their own.
   MaterialRules materials;
   std::vector<PointTarget> points;      ///< Calibrated model only.
   std::vector<Interferer> interferers;  ///< Calibrated model only.
   std::vector<Thruster> thrusters;      ///< Thrusters of the vehicle. Calibrated model only.
-  std::optional<SeaSurface> surface;    ///< None where not named.
+  std::optional<SeaSurface> surface;    ///< Absent: none.
   std::vector<SonarConfig> sonars;
   Trajectory trajectory;  ///< Trajectory of the vehicle.
   std::vector<Motion> motions;
-  std::optional<ViewConfig> view;  ///< Chosen to show the first sonar's field when absent.
+  std::optional<ViewConfig> view;  ///< Absent: chosen to show the first sonar's field.
 
   /// The receiver of one of its sonars: the sonar's own, or `receiver`.
   [[nodiscard]] const ReceiverConfig& receiver_of(const SonarConfig& sonar) const {
     return sonar.receiver ? *sonar.receiver : receiver;
   }
 
-  /// Whether a sonar's columns are wedges whose rows are even, which is what triangles can be drawn into; see
+  /// Whether a sonar's columns are wedges with even rows, so that triangles can be drawn into them; see
   /// primary_echoes().
   [[nodiscard]] bool has_even_rows(const SonarConfig& sonar) const;
 
-  /// The water around one of its sonars: `water`, and where there is a `surface`, at the depth below it that the sonar
-  /// has at the start of the trajectory. All that depends on the speed or the absorption of sound takes it from here.
+  /// The water around one of its sonars: `water`, with a `surface` at the sonar's depth below it at the start of the
+  /// trajectory. The only source of sound speed and absorption.
   [[nodiscard]] Water water_at(const SonarConfig& sonar) const;
 
-  /// The settings of a sonar with those filled in that follow from others: assumed sound speed and ping period.
+  /// The settings of a sonar with derived ones filled in: assumed sound speed and ping period.
   [[nodiscard]] SonarConfig filled_in(SonarConfig sonar) const;
 
-  /// Pings of one of its sonars after `pings`, `duration` or `turns`, at least 1. Takes the sonar as filled_in() has
-  /// it.
+  /// Number of pings of one of its sonars by `pings`, `duration` or `turns`, at least 1. Expects the sonar from
+  /// filled_in().
   [[nodiscard]] std::uint64_t ping_count(const SonarConfig& sonar) const;
 
-  /// Checks every part and the rules between them: at least one sonar, names that differ, periods long enough.
+  /// Checks every part and the rules between them: at least one sonar, unique names, periods long enough.
   /// @throws Error on the first fault.
   void validate() const;
 

@@ -7,43 +7,43 @@
 
 namespace insonify {
 
-/// Pings of one sonar follow each other at its period, from time 0 on. The vehicle is on the trajectory, what the
-/// motions name on theirs, and a scanning head where its steps have turned it.
+/// Pings of one sonar follow each other at its period, from time 0. The vehicle and the objects of motions follow their
+/// trajectories, and a scanning head turns by its steps.
 class ScenarioRequests {
  public:
-  /// @param scenario  Need not outlive this.
-  /// @throws Error where a sonar would be above the water's surface.
+  /// @param scenario  May be destroyed afterwards.
+  /// @throws Error if a sonar would be above the water's surface.
   explicit ScenarioRequests(const Scenario& scenario);
 
-  /// Pings of one sonar: Scenario::ping_count().
-  /// @throws Error for an index that is none; as all here.
+  /// Number of pings of one sonar: Scenario::ping_count().
+  /// @throws Error for an index out of range, as all functions here.
   [[nodiscard]] std::uint64_t ping_count(int sonar) const;
-  /// Pings of the sonar that makes most.
+  /// Number of pings of the sonar with most.
   [[nodiscard]] std::uint64_t most_pings() const;
-  /// Pings of all sonars together.
+  /// Number of pings of all sonars together.
   [[nodiscard]] std::uint64_t total_pings() const;
   [[nodiscard]] int sonar_count() const { return static_cast<int>(sonars_.size()); }
 
-  /// Ping `number` of a sonar; numbers beyond ping_count(sonar) go on.
+  /// Ping `number` of a sonar; numbers beyond ping_count(sonar) are valid too.
   [[nodiscard]] PingRequest at(int sonar, std::uint64_t number) const;
 
-  /// The same at another time [s]: vehicle and objects are where they are then.
+  /// The same at another time [s], with vehicle and objects placed as at that time.
   /// @throws Error for a time out of PingRequest's limits.
   [[nodiscard]] PingRequest at(int sonar, std::uint64_t number, double time) const;
 
-  /// at(sonar, number); allocates nothing when the request was made here before.
+  /// at(sonar, number); allocates nothing if the request was filled by this before.
   void fill(int sonar, std::uint64_t number, PingRequest& request) const;
 
   /// Adds a waypoint to the end of the trajectory, for a vehicle that is steered while its pings are made. A ping
   /// depends on the trajectory until the sonar has listened: reach().
-  /// @throws Error as Scenario::validate() and the constructor for a waypoint that a scenario cannot have there; the
-  ///         trajectory is as it was.
+  /// @throws Error as Scenario::validate() and the constructor for an invalid waypoint; the trajectory is
+  ///         unchanged.
   void extend(const Waypoint& waypoint);
 
   /// Time until which ping `number` of a sonar depends on the trajectory [s].
   [[nodiscard]] double reach(int sonar, std::uint64_t number) const;
 
-  /// The vehicle's, with what extend() has added.
+  /// The vehicle's trajectory, with the waypoints of extend().
   [[nodiscard]] const Trajectory& trajectory() const { return trajectory_; }
 
   /// The time of a sonar's ping [s].

@@ -20,15 +20,15 @@ namespace insonify {
 /// One mesh at one pose, with its materials.
 struct Instance {
   std::string name = {};                  ///< Scoped as in SDF: "ship::hull::visual"; the file's stem for a bare mesh.
-  std::shared_ptr<const Mesh> mesh = {};  ///< Never null.
+  std::shared_ptr<const Mesh> mesh = {};  ///< Not null.
   Pose world_from_mesh = {};
-  std::string user_material = {};  ///< Set by the user for the whole instance, "" when not; must resolve.
+  std::string user_material = {};  ///< Set by the user for the whole instance, "": not set; must resolve.
   bool names_resolve = false;      ///< Whether the user wrote the mesh's material names: each but "" must be known.
   std::vector<std::uint16_t> materials = {};  ///< Index into Scene::materials for each of the mesh's slots.
   std::vector<std::shared_ptr<const Relief>> reliefs = {};  ///< Relief of each slot, null for none; empty: none at all.
   bool moving = false;   ///< Whether its pose may change between pings; engines keep it separate from static instances.
-  bool present = true;   ///< False once it was removed: engines leave it out, only its index stays.
-  bool endless = false;  ///< Whether it extends beyond all else, as the sea's surface does: bounds() leaves it out.
+  bool present = true;   ///< False after removal: engines ignore it, only its index stays.
+  bool endless = false;  ///< Whether it is unbounded, as the sea surface: bounds() ignores it.
 };
 
 /// Checks that all vertices of an instance are within the limits of coordinate() in the world.
@@ -70,7 +70,7 @@ struct MaterialOverride {
 struct MaterialRules {
   std::map<std::string, MaterialOverride> overrides = {};
   std::string default_material = "sand";  ///< For material names in meshes that match nothing.
-  bool for_more = false;  ///< Whether the scene is only a part of what the rules are for: keys may match nothing then.
+  bool for_more = false;  ///< Whether the scene is only part of the rules' world: keys may match nothing.
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -88,16 +88,16 @@ struct Box3 {
 struct Scene {
   std::vector<Material> materials;  ///< The materials in use. At most 65535.
   std::vector<Instance> instances;  ///< At most 65535.
-  Places places = {};               ///< Where the file sets an instance's user_material, by its name; for messages.
+  Places places = {};               ///< Places of user_material in the file, by instance name; for messages.
 
   [[nodiscard]] std::size_t triangle_count() const;
   [[nodiscard]] Box3 bounds() const;
 
-  /// Middle of the bounds, the origin where they are empty. Engines measure positions from here.
+  /// Middle of the bounds, or the origin if they are empty. Engines store positions relative to it.
   [[nodiscard]] Vec3 middle() const;
 
-  /// Indices of the instances present whose surface closes around a point with its outside outwards, as that of a solid
-  /// does: it is seen from within in nine tenths of all directions, net of what is seen from outside.
+  /// Indices of the present instances that enclose a point as a solid does: their surface is seen from within in nine
+  /// tenths of all directions, minus those seen from outside.
   [[nodiscard]] std::vector<int> solids_around(const Vec3& point) const;
 
   /// Index of the instance with this full name, or of the only one whose name starts with `name::`; -1 if there is
@@ -105,11 +105,11 @@ struct Scene {
   [[nodiscard]] int find_instance(std::string_view name) const;
 };
 
-/// Assigns a material to every slot of every instance. The first of these that applies is taken: an override with the
-/// visual's name; the instance's user_material; an override with the slot's name; the library material with that name;
-/// the default. user_material and the default may name an override too. Each override becomes a material of its own,
-/// named by its key. Slot names that took the default are reported to `log` in one line. The relief of a slot is that
-/// of its material, or else of its mesh.
+/// Assigns a material to every slot of every instance, the first of: an override with the visual's name; the instance's
+/// user_material; an override with the slot's name; the library material with that name; the default. user_material and
+/// the default may name an override too. Each override becomes a material of its own, named by its key. Slot names that
+/// got the default are reported to `log` in one line. The relief of a slot is that of its material, or else of its
+/// mesh.
 /// @throws Error for a name written by the user (an override's key or `like`, a user_material, a name of an
 ///         instance with names_resolve, the default) that matches nothing, and for a property out of its limits.
 void assign_materials(Scene& scene, const MaterialRules& rules, const Log& log = {});

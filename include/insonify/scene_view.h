@@ -14,7 +14,7 @@ namespace insonify {
 struct ViewOptions {
   int width = 960, height = 720;  ///< [pixels], 16..8192 each.
   bool sonar_outline = true;     ///< Draw the sonar's housing and the edges of its sector, and tint what it insonifies.
-  std::vector<Vec3> marks = {};  ///< Positions marked by a cross where they are visible, such as point targets [m].
+  std::vector<Vec3> marks = {};  ///< Positions marked by a cross if visible, such as point targets [m].
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {

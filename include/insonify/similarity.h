@@ -53,7 +53,7 @@ inline constexpr int kSsimSide = 11;
 
 /// Multi-scale structural similarity, 0 to 1: the product of contrast and structure terms at five scales and of the
 /// luminance term at the coarsest, raised to the weights .0448 .2856 .3001 .2363 .1333. Each scale is the mean over 2 x
-/// 2 pixels of the one before; an odd last row or column is left out. Negative terms count as 0. Z. Wang, E. P.
+/// 2 pixels of the previous one; an odd last row or column is dropped. Negative terms count as 0. Z. Wang, E. P.
 /// Simoncelli and A. C. Bovik, "Multi-scale structural similarity for image quality assessment", 37th Asilomar
 /// Conference (2003), eq. (7).
 /// @throws Error for pictures of fewer than kMsSsimSide pixels a side: the coarsest scale must hold one window.

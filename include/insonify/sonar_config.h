@@ -122,7 +122,7 @@ struct SonarConfig {
       2 * std::numbers::pi;  ///< Full circle: keeps turning; less: sweeps to and fro [rad], in (0, 2 pi].
   Mounting mounting = Mounting::kHorizontal;
 
-  // Pose on the vehicle, or in the world where there is no trajectory.
+  // Pose on the vehicle, or in the world if there is no trajectory.
   Vec3 position = Vec3::Zero();     ///< [m], within 1e7.
   Vec3 orientation = Vec3::Zero();  ///< Roll, pitch, yaw as in SDF: positive pitch looks down [rad], within 1e6 deg.
 
@@ -151,8 +151,8 @@ struct SonarConfig {
   /// aperture exactly.
   [[nodiscard]] std::vector<double> beam_edges() const;
 
-  /// The mounting pose, housing to vehicle. A vertical mounting first rolls the housing by +90 deg about its x, which
-  /// takes its y, towards which the head turns, from port to up: positive head angles look up.
+  /// The mounting pose, housing to vehicle. A vertical mounting first rolls the housing by +90 deg about its x, so that
+  /// its y, towards which the head turns, points up: positive head angles look up.
   [[nodiscard]] Pose vehicle_from_sonar() const;
 
   /// Angle of the head at a ping, 0 for a forward-looking sonar [rad]. On a full circle the head starts at
@@ -160,10 +160,10 @@ struct SonarConfig {
   /// it, and turns back at the last whole step inside the sector.
   [[nodiscard]] double head_angle(std::uint64_t ping) const;
 
-  /// Pings in which a scanning head turns once round, or sweeps once across its sector; 1 for a forward-looking sonar.
+  /// Number of pings per full turn of a scanning head, or per sweep across its sector; 1 for a forward-looking sonar.
   [[nodiscard]] std::uint64_t pings_per_turn() const;
 
-  /// Shortest time between pings: sound must come back from max_range first [s].
+  /// Shortest time between pings: sound must return from max_range first [s].
   /// @param sound_speed  Sound speed that the sonar assumes [m/s].
   [[nodiscard]] double shortest_ping_period(double sound_speed) const { return 2 * max_range / sound_speed; }
 

@@ -12,7 +12,7 @@
 
 namespace insonify {
 
-/// Type of the numbers of a table, as StoredTables::read() returns them.
+/// Type of a table's numbers, as returned by StoredTables::read().
 enum class NumberType { kFloat32, kFloat64, kUint8, kUint16, kInt64 };
 
 /// Size of a number [bytes].
@@ -21,10 +21,10 @@ enum class NumberType { kFloat32, kFloat64, kUint8, kUint16, kInt64 };
 /// A table of numbers in a recording. docs/reference/recording.md lists those that insonify writes.
 struct StoredTable {
   std::string name;                        ///< "instance"
-  NumberType type = NumberType::kFloat32;  ///< Type in the file, or the next that holds its numbers.
+  NumberType type = NumberType::kFloat32;  ///< Type in the file, or the next larger one.
   std::vector<std::uint64_t> shape;        ///< Length of each axis, at least one axis.
-  bool by_ping = false;                    ///< Whether the first axis counts pings.
-  std::string unit, description;           ///< "" where the file does not say.
+  bool by_ping = false;                    ///< Whether the first axis is the ping.
+  std::string unit, description;           ///< "": unknown.
 };
 
 /// The values `start`, `start + step` ... of an axis, `count` of them.
@@ -34,14 +34,14 @@ struct TableSlice {
   std::uint64_t step = 1;  ///< >= 1.
 };
 
-/// The tables of one sonar's recording, read when they are asked for: those at the root of an HDF5 file; of an MCAP
+/// The tables of one sonar's recording, read on demand: those at the root of an HDF5 file; of an MCAP
 /// file intensity, time, world_from_sonar, head_angle of a scanning sonar, and the axes. MCAP has no ground truth.
 ///
-/// A recording that still grows has the pings that all tables had when it was opened.
+/// A recording that is still being written has the pings that all tables had when it was opened.
 class StoredTables {
  public:
   /// @param sonar  Name of the sonar; "" for the only one.
-  /// @throws Error with the path for a file that is missing or is no recording, and for a sonar that it does not have.
+  /// @throws Error with the path for a file that is missing or not a recording, and for an unknown sonar.
   explicit StoredTables(const std::filesystem::path& path, const std::string& sonar = "");
   ~StoredTables();
   StoredTables(StoredTables&&) noexcept;
@@ -53,14 +53,14 @@ class StoredTables {
   /// The table of that name, or null.
   [[nodiscard]] const StoredTable* find(const std::string& name) const;
 
-  /// Reads a block of a table, row-major, without reading what lies beside it (compressed files and MCAP: beside its
+  /// Reads a block of a table, row-major, and nothing else (compressed files and MCAP: only its
   /// chunks).
   /// @param slices  One for each axis.
-  /// @param bytes   Is filled: product of the counts times size_of(table.type).
-  /// @throws Error with the path where a slice leaves the table or the file cannot be read.
+  /// @param bytes   Receives the values: product of the counts times size_of(table.type).
+  /// @throws Error with the path if a slice exceeds the table or the file cannot be read.
   void read(const StoredTable& table, std::span<const TableSlice> slices, std::span<std::byte> bytes) const;
 
-  /// A list of texts, such as instance_names; empty where the file does not have it.
+  /// A list of texts, such as instance_names; empty if the file does not have it.
   [[nodiscard]] std::vector<std::string> texts(const std::string& name) const;
 
  private:

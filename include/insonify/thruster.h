@@ -29,7 +29,7 @@ struct Thruster {
   [[nodiscard]] double spectrum_db(double at) const;
 
   /// @param object  Its name in messages.
-  /// @throws Error where one of blade_rate and modulation is given without the other.
+  /// @throws Error if one of blade_rate and modulation is given without the other.
   void validate(std::string_view object) const;
 
   template <typename Self, typename Visit>

@@ -17,7 +17,7 @@ namespace insonify {
 template <typename Enum, std::size_t count>
 using Words = std::array<std::pair<std::string_view, Enum>, count>;
 
-/// The words of an enumeration, in the order in which messages list them.
+/// The words of an enumeration, in the order of messages.
 template <typename Enum>
 constexpr auto words_of();
 
@@ -102,7 +102,7 @@ constexpr auto words_of<GroundTruth>() {
       {{"none", GroundTruth::kNone}, {"labels", GroundTruth::kLabels}, {"full", GroundTruth::kFull}}};
 }
 
-/// How files spell a value.
+/// Spelling of a value in files.
 template <typename Enum>
 constexpr std::string_view word_of(Enum value) {
   for (const auto& [word, meaning] : words_of<Enum>()) {

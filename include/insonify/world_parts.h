@@ -1,4 +1,4 @@
-// world_parts.h -- a scene of shapes that another program describes, such as a simulator that runs.
+// world_parts.h -- makes a scene from shapes described by another program, such as a running simulator.
 
 #pragma once
 
@@ -18,7 +18,7 @@ namespace insonify {
 
 enum class ShapeKind { kBox, kSphere, kEllipsoid, kCylinder, kCapsule, kCone, kPlane, kMesh, kHeightmap };
 
-/// One of the shapes of SDF, in its own frame. Each kind has some of the fields.
+/// One of SDF's shapes, in its own frame. Each kind uses some of the fields.
 struct Shape {
   ShapeKind kind = ShapeKind::kBox;
   std::optional<Vec3> size =
@@ -27,8 +27,8 @@ struct Shape {
   double radius = 0;             ///< kSphere, kCylinder, kCapsule, kCone [m], > 0.
   double length = 0;             ///< kCylinder, kCapsule (without its ends), kCone [m], > 0.
   Vec3 normal = Vec3::UnitZ();   ///< kPlane: a unit vector.
-  std::string uri = {};          ///< kMesh, kHeightmap: file as SDF names it: "model://ship/hull.dae", a path ...
-  std::string submesh = {};      ///< kMesh: the part of the file to take; "" for all.
+  std::string uri = {};          ///< kMesh, kHeightmap: file as in SDF: "model://ship/hull.dae", a path ...
+  std::string submesh = {};      ///< kMesh: the part of the file to use; "": all.
   bool center_submesh = false;   ///< kMesh: whether that part is moved to the origin.
   Vec3 scale = Vec3::Ones();     ///< kMesh: factors, none 0; negative ones mirror.
   Vec3 position = Vec3::Zero();  ///< kHeightmap: of its middle [m].
@@ -37,46 +37,46 @@ struct Shape {
 
 /// A visual or a collision.
 struct WorldPart {
-  std::string name;  ///< In full: "ship::hull::plate"; of one scene all differ.
+  std::string name;  ///< Full name: "ship::hull::plate"; unique in a scene.
   Shape shape;
   Pose world_from_part;
   bool moving = false;         ///< Becomes Instance::moving.
-  bool for_eyes_only = false;  ///< Whether it is water, or invisible to cameras: told to the log.
+  bool for_eyes_only = false;  ///< Whether it is water, or invisible to cameras: reported to the log.
   std::string material = {};   ///< Becomes Instance::user_material.
 };
 
-/// What carries a sonar that stands in the SDF file of a world.
+/// The carrier of a sonar in a world's SDF file.
 struct SonarCarrier {
   std::string sonar;
-  std::string carrier;        ///< A link or model, in full: "rov::base_link".
-  Pose carrier_from_vehicle;  ///< Where the file has the vehicle, to which the sonar's pose in the scenario refers: the
+  std::string carrier;        ///< Full name of a link or model: "rov::base_link".
+  Pose carrier_from_vehicle;  ///< Pose of the vehicle in the file, the frame of the sonar's pose in the scenario: the
                               ///< carrier of the file's first sonar.
 };
 
-/// The carriers of those sonars of a scenario that have the name of one in its world's SDF file. None where the world
-/// is none of SDF's.
+/// The carriers of a scenario's sonars that have the name of a sonar in the world's SDF file. None for other
+/// worlds.
 /// @throws Error as load_scenario().
 [[nodiscard]] std::vector<SonarCarrier> load_sonar_carriers(const Scenario& scenario);
 
-/// Makes scenes of parts as load_scene() does of an SDF world. Files are read once, however many parts name them.
+/// Makes scenes from parts, as load_scene() does from an SDF world. Each file is read only once.
 class WorldParts {
  public:
-  /// @param base     A file, there or not, whose folder is searched for URIs first, then those above it and those that
-  ///                 the variables of the environment name (docs/reference/sdf.md).
-  /// @param options  `ignore` leaves parts out; with `strict` a part that cannot be made is an error. `collisions` has
-  ///                 no effect.
-  /// @param log      Takes one warning a call for all parts that are left out since they cannot be made.
+  /// @param base     A file, existing or not, whose folder is searched for URIs first, then its parents and those named
+  ///                 by environment variables (docs/reference/sdf.md).
+  /// @param options  `ignore` skips parts; with `strict` a part that cannot be made is an error. `collisions` has no
+  ///                 effect.
+  /// @param log      Receives one warning per call for all parts that cannot be made and are skipped.
   explicit WorldParts(std::filesystem::path base, WorldOptions options = {}, Log log = {});
   ~WorldParts();
   WorldParts(WorldParts&&) noexcept;
   WorldParts& operator=(WorldParts&&) noexcept;
 
-  /// Those of the parts that are not left out, in their order; it may be empty. Materials are not assigned.
-  /// @param name  Of all of them, for the log: "the world tank".
+  /// A scene of the parts that are not skipped, in order; may be empty. Materials are not assigned.
+  /// @param name  Name of the whole, for the log: "the world tank".
   /// @throws Error for two parts of the same name, and with `strict` for one that cannot be made.
   [[nodiscard]] Scene scene(std::span<const WorldPart> parts, const std::string& name);
 
-  /// Warns of each pattern of `ignore` that has matched no part so far.
+  /// Warns of each `ignore` pattern without a match so far.
   void report_unused_patterns(const std::string& name) const;
 
  private:

@@ -58,14 +58,14 @@ fan = draw_fan
 
 
 def open(path: str | os.PathLike[str], sonar: str | None = None) -> RecordedPings:
-    """Opens a recording (HDF5, MCAP): a RecordedPings, whose pings and layers are read when they are asked for.
+    """Opens a recording (HDF5, MCAP): a RecordedPings, whose pings and layers are read on demand.
 
-    sonar: which one of an MCAP file that holds several.
+    sonar: name of the sonar in an MCAP file with several.
 
     Warns (insonify.Warning) of a recording that ends before its run did, because that was killed or the disk was full;
     the recording's `state` says so too.
 
-    Raises Error with the path for a file that is missing or is no recording, and for a sonar that it does not have.
+    Raises Error with the path for a file that is missing or not a recording, and for an unknown sonar.
     """
     recorded = RecordedPings(path, sonar)
     if text := recorded._unfinished_text():

@@ -20,16 +20,16 @@ SMALLEST_FOR_MS_SSIM = 176  # [pixels]
 
 def compare(a: Side, b: Side, pings: Sequence[int] | None = None, scale: str | None = None, floor_db: float = -50.0,
             full_scale: float | None = None, ms_ssim: bool = True) -> Similarity:
-    """Similarity of b to a: a Similarity, of which each measure is the mean over the pings compared.
+    """Similarity of b to a: a Similarity, each measure averaged over the compared pings.
 
     a, b: a recording (RecordedPings, or the path of one), a Ping, an array [rows, columns] of levels from 0 to 1, or the
         path of a grey PNG. A single picture is compared with every ping of a recording. Pings of a single beam are
         compared side by side, as one picture.
-    pings: numbers of the pings to compare; None for all that both recordings have.
-    scale: "db" or "linear"; None for db where both are of the calibrated model.
+    pings: numbers of the pings to compare; None: all that are in both recordings.
+    scale: "db" or "linear"; None: db if both are of the calibrated model.
     floor_db: level that counts as 0 on a decibel scale [dB re full scale], < 0.
-    full_scale: intensity that counts as 1; None for the largest of both where both are calibrated, else 1.
-    ms_ssim: False to leave that measure out (NaN); it is left out of pictures of fewer than 176 x 176 pixels.
+    full_scale: intensity that counts as 1; None: the largest of both if both are calibrated, else 1.
+    ms_ssim: False to skip that measure (NaN); it is skipped for pictures of fewer than 176 x 176 pixels.
 
     Raises Error for pictures of unequal shape, for constant ones, and for intensities beyond full scale.
     """
@@ -74,7 +74,7 @@ def _common_pings(left: Any, right: Any, wanted: Sequence[int] | None) -> list[i
     counts = [len(one) for one in (left, right) if isinstance(one, RecordedPings)]
     common = min(counts, default=1)
     if common == 0:
-        raise Error("there are no pings in a recording to be compared")
+        raise Error("a recording has no pings to compare")
     for number in wanted or []:
         if not 0 <= number < common:
             raise Error(f"there is no ping {number} in both; they have {common}, counted from 0")

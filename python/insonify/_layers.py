@@ -1,4 +1,4 @@
-"""Layers of recordings: tables that are read as far as they are indexed."""
+"""Layers of recordings: tables of which only the indexed part is read."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ Slices = list[tuple[int, int, int]]  # (start, count, step) of each axis.
 class RecordedLayer(np.lib.mixins.NDArrayOperatorsMixin):
     """A table [pings, bins, beams ...] of a recording, made by RecordedPings: rec.intensity, rec.instance ...
 
-    Indexing with whole numbers, slices and `...` reads what is asked for and no more, into an array that is the caller's
-    own. Other indices (masks, lists), arithmetic, NumPy's functions and its methods such as max() read the whole layer.
+    Indexing with whole numbers, slices and `...` reads only that part, into a new array. Other indices (masks, lists),
+    arithmetic, NumPy's functions and methods such as max() read the whole layer.
 
-    name: as in the file. shape, ndim, size, dtype: as of an array. unit, description: as the file tells them.
+    name, unit, description: as in the file. shape, ndim, size, dtype: as for an array.
     """
 
     def __init__(self, recording: RecordedPings, name: str) -> None:
@@ -36,7 +36,7 @@ class RecordedLayer(np.lib.mixins.NDArrayOperatorsMixin):
 
     @property
     def size(self) -> int:
-        """How many values it has."""
+        """Number of values."""
         return int(np.prod(self.shape, dtype=np.int64))
 
     def __len__(self) -> int:
@@ -52,7 +52,7 @@ class RecordedLayer(np.lib.mixins.NDArrayOperatorsMixin):
         return block[backwards][left]
 
     def _slices(self, indices: list[Any]) -> tuple[Slices, tuple[Any, ...], tuple[slice, ...]]:
-        """What to read of each axis, then how to turn and to drop axes of what was read."""
+        """The slice to read of each axis, then how to reverse and drop axes of the result."""
         dots = [i for i, one in enumerate(indices) if one is Ellipsis]
         if len(dots) > 1 or len(indices) - len(dots) > self.ndim:
             raise IndexError(f"{self.name} has {self.ndim} axes; too many indices")

@@ -10,7 +10,7 @@ def to_db(intensity: npt.ArrayLike, floor: float = -200.0) -> npt.NDArray[np.flo
     """10 log10 of intensities, at least `floor` [dB]: an array of the same shape, float32.
 
     In the calibrated model these are decibels relative to the source's intensity at 1 m: with a source level added they
-    are echo levels. Zeros become `floor`; NaN and what is below zero become NaN.
+    are echo levels. Zeros become `floor`; NaN and negative values become NaN.
     """
     linear = np.asarray(intensity)
     with np.errstate(divide="ignore", invalid="ignore"):

@@ -1,4 +1,4 @@
-"""Plots of pings with matplotlib, which is imported when the first one is made."""
+"""Plots of pings with matplotlib, which is imported by the first plot."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def _pyplot() -> Any:
 
 
 def _shown(ping: Ping, counts: bool) -> tuple[Any, tuple[float, float], str]:
-    """Values to draw, the colour range that fits them and the text of the colour bar: those of insonify.fan()."""
+    """Values to draw, their colour range and the label of the colour bar, as in insonify.fan()."""
     if counts:
         if ping.counts is None:
             raise Error(f"ping {ping.number} has no counts; receiver.counts: true adds them (calibrated)")
@@ -53,14 +53,13 @@ def plot(ping: Ping, kind: str = "fan", levels: tuple[float, float] | None = Non
 
     kind: "fan", seen from above in metres, acoustic axis up and port to the left; or "polar", azimuth [deg] across, port
         to the left, and range [m] upwards.
-    levels: colour range (low, high) in dB as on the colour bar (from 0 to 1 in the paper model); None for those
-        of insonify.fan(), which fit this ping. For a film give the same to all.
-    ax: axes to draw in; None for those of a new figure.
-    colour_map, or color_map: a name that matplotlib knows; None for inferno.
-    counts: draw the counts that the instrument delivers (receiver.counts), from 0 to the greatest; levels are counts then.
+    levels: colour range (low, high) in dB as on the colour bar (from 0 to 1 in the paper model); None: those
+        of insonify.fan(), fitted to this ping. For a film use the same for all pings.
+    ax: axes to draw in; None: those of a new figure.
+    colour_map, or color_map: a matplotlib name; None: inferno.
+    counts: draw the instrument's counts (receiver.counts), from 0 to the greatest; levels are then counts.
 
-    Raises Error for another kind, levels that do not rise and counts that are not there, ImportError where there is no
-    matplotlib.
+    Raises Error for an unknown kind, levels that do not increase and missing counts, ImportError without matplotlib.
     """
     pyplot = _pyplot()
     if kind not in ("fan", "polar"):

@@ -1,4 +1,4 @@
-// bind.h -- the parts of the module, and what they share.
+// bind.h -- the parts of the module, and their shared declarations.
 
 #pragma once
 
@@ -16,28 +16,28 @@ namespace insonify::python {
 
 namespace py = pybind11;
 
-/// What a ping needs to be drawn and measured.
+/// Facts about a ping's sonar for drawing and measuring it.
 struct SonarFacts {
   SonarConfig sonar;  ///< Filled in.
   EchoModel model = EchoModel::kCalibrated;
   ReceiverConfig receiver;
 };
 
-/// A copy of a simulator's scene. It refuses to be added to: the simulator would not know.
+/// A copy of a simulator's scene. It refuses additions, which would not reach the simulator.
 struct SimulatorsScene : Scene {};
 
 struct PythonRecording;
 
-/// A ping as Python holds it.
+/// A ping in Python.
 struct PythonPing : Ping {
   std::shared_ptr<const SonarFacts> facts;
   std::shared_ptr<const PythonRecording> source = {};  ///< Where a recorded ping's other tables are read from.
 };
 
-/// @throws Error for an object that is no Ping.
+/// @throws Error for an object that is not a Ping.
 [[nodiscard]] const PythonPing& ping_from(const py::object& given);
 
-// Each adds its classes and functions to the module. In this order: a class must be there before it is a default.
+// Each adds its classes and functions to the module. In this order: a class must exist before it is used as a default.
 void bind_error(py::module_& module);
 void bind_geometry(py::module_& module);
 void bind_configs(py::module_& module);
@@ -51,7 +51,7 @@ void bind_acoustics(py::module_& module);
 void bind_similarity(py::module_& module);
 void bind_export(py::module_& module);
 
-/// Hands warnings to Python's `warnings`, as insonify.Warning; drops what merely informs.
+/// Passes warnings to Python's `warnings`, as insonify.Warning; drops informational messages.
 [[nodiscard]] Log warnings_log();
 
 /// A scenario object made by load_scenario() or parse_scenario().

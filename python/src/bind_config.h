@@ -39,7 +39,7 @@ std::string help_of(const Field& field, const Member& default_value, double scal
   return text + " [" + facts + "]";
 }
 
-/// As Python would show a value, but with 12 digits: angles are kept in radians, of which 15 degrees are
+/// repr() of a value, but with 12 digits: angles are kept in radians, where 15 degrees are
 /// 14.999999999999998.
 inline std::string rounded(py::handle value) {
   if (py::isinstance<py::float_>(value)) {
@@ -61,13 +61,13 @@ void check_value(const Field& field, const Member& member) {
 }
 
 /// Sets fields by keyword.
-/// @throws TypeError for one that is not there.
-/// @throws Error for an angle that is given by both of its names.
+/// @throws TypeError for an unknown one.
+/// @throws Error for an angle given by both of its names.
 inline void set_fields(const py::object& config, const py::dict& given) {
   const py::object property = py::module_::import("builtins").attr("property");
   for (const auto& [key, value] : given) {
     const py::object type = py::type::of(config);
-    // Methods such as copy are no fields.
+    // Methods such as copy are not fields.
     if (!py::hasattr(type, key) || !py::isinstance(type.attr("__dict__").attr("get")(key), property)) {
       const bool is_preset = py::hasattr(type, "preset") && key.equal(py::str("preset"));
       throw py::type_error(type_of(config) + " has no field " + shown(key) +
@@ -195,7 +195,7 @@ class ConfigClass {
     return made.template cast<Held<Config>>();
   }
 
-  // For pickle: fields in SI units, parts, and what is no field.
+  // For pickle: fields in SI units, parts, and other members.
   static py::tuple state_of(const Held<Config>& self) {
     py::list fields;
     Config::visit_fields(self.value, [&](const Field&, const auto& member) { fields.append(to_python(member, 1)); });
@@ -212,8 +212,8 @@ class ConfigClass {
     return py::make_tuple(fields, parts, rest);
   }
 
-  // Whether both are of the same class, with fields and parts of the same values; the text of a scenario's file may be
-  // another.
+  // Whether both have the same class and equal fields and parts; the texts of scenario files
+  // may differ.
   static bool equals(const Held<Config>& self, const Held<Config>& other) {
     bool same = true;
     int index = 0;
@@ -254,7 +254,7 @@ class ConfigClass {
     return wrap(config).template cast<Held<Config>>();
   }
 
-  // "(name='fls', max_range=20.0)": what differs from the defaults.
+  // "(name='fls', max_range=20.0)": fields that differ from the defaults.
   static std::string text_of(const Held<Config>& self) {
     const Config defaults{};
     std::string text;

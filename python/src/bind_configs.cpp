@@ -1,4 +1,4 @@
-// bind_configs.cpp -- the classes of everything that a scenario holds.
+// bind_configs.cpp -- the classes of a scenario and its parts.
 
 #include <fmt/format.h>
 #include <pybind11/numpy.h>
@@ -14,7 +14,7 @@
 namespace insonify::python {
 namespace {
 
-// What `insonify describe` says of a section.
+// The text of `insonify describe` about a section.
 std::string about(const std::string& section) {
   for (const SectionDescription& one : describe_scenario()) {
     if (one.name == section) {

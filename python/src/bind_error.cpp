@@ -7,7 +7,7 @@
 namespace insonify::python {
 namespace {
 
-py::handle error_class, warning_class;  // As long as the interpreter lives.
+py::handle error_class, warning_class;  // Live as long as the interpreter.
 
 void raise(const Error& error) {
   py::object raised = error_class(error.what());
@@ -28,12 +28,11 @@ void bind_error(py::module_& module) {
     module.add_object(name, py::reinterpret_steal<py::object>(made));
     return py::handle(made).inc_ref();
   };
-  error_class =
-      make("Error", PyExc_ValueError,
-           "What came from outside is wrong: a file, a configuration, a value.\n\n"
-           "The message is one line, that of the command line. `file`, `line` and `column` say where, None where "
-           "there is no such place; `object` and `field` name the setting, \"\" where it is none.");
-  warning_class = make("Warning", PyExc_UserWarning, "Something that is probably not meant: see the message.");
+  error_class = make("Error", PyExc_ValueError,
+                     "Invalid input: a file, a configuration, a value.\n\n"
+                     "The message is one line, as on the command line. `file`, `line` and `column` say where, None if "
+                     "unknown; `object` and `field` name the setting, \"\" if there is none.");
+  warning_class = make("Warning", PyExc_UserWarning, "Something that is probably a mistake: see the message.");
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) {
@@ -51,7 +50,7 @@ Log warnings_log() {
   return [](Severity severity, const std::string& message) {
     const py::gil_scoped_acquire held;
     if (severity == Severity::kWarning && PyErr_WarnEx(warning_class.ptr(), message.c_str(), 1) != 0) {
-      throw py::error_already_set();  // Where warnings are errors.
+      throw py::error_already_set();  // If warnings are errors.
     }
   };
 }

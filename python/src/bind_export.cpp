@@ -111,7 +111,7 @@ void export_all(const py::object& recordings, const py::object& file, const py::
       warnings.push_back(message + "; levels=(low, high) changes that");
     }
   };
-  // In a thread of its own, so that this one can look for Control-C.
+  // In another thread, so that this one can check for Control-C.
   std::future<void> done;
   {
     const py::gil_scoped_release released;
@@ -127,7 +127,7 @@ void export_all(const py::object& recordings, const py::object& file, const py::
     }
   }
   done.get();
-  for (const std::string& text : warnings) {  // In this thread: where warnings are errors, one of them is raised here.
+  for (const std::string& text : warnings) {  // In this thread: raises one here if warnings are errors.
     warnings_log()(Severity::kWarning, text);
   }
 }
@@ -137,10 +137,10 @@ void export_all(const py::object& recordings, const py::object& file, const py::
 void bind_export(py::module_& module) {
   module.def(
       "export", &export_all, py::arg("recordings"), py::arg("file"),
-      "export(recordings, file, **options)\n\nWrites recordings of one run, one a sonar, to a file in the format of "
+      "export(recordings, file, **options)\n\nWrites recordings of one run, one per sonar, to a file in the format of "
       "its "
       "ending: .mcap (ROS 2 messages), .bag (of ROS 1), .npz, .zarr, .mp4 or .gif, as `insonify export`.\n\n"
-      "recordings: a path or a RecordedPings, or a list of them; the path of an MCAP file stands for all sonars in it. "
+      "recordings: a path or a RecordedPings, or a list of them; the path of an MCAP file includes all of its sonars. "
       "Options: replace (False: an error where the file is "
       "there). compress (True), of .npz. levels (low, high) in dB as on the colour bar, of videos, .mcap and .bag; "
       "None "
@@ -150,10 +150,10 @@ void bind_export(py::module_& module) {
       "strong_share, fan_height in pixels, fan_rate (fan pictures a second at most, 0 for none; 2 for scanning sonars "
       "unless given), world_frame and start (the run's time 0, \"2026-06-01T10:00:00Z\" or a datetime with its time "
       "zone), of .mcap and .bag.\n\n"
-      "Warns (insonify.Warning) of values above the highest level of .mcap and .bag, which are cut there. "
-      "Raises Error with the path for another ending, several sonars in a video, a file that is there, a full disk, "
+      "Warns (insonify.Warning) of values above the highest level of .mcap and .bag, which are clipped. "
+      "Raises Error with the path for an unknown extension, several sonars in a video, an existing file, a full disk, "
       "and "
-      "where a video is asked for and ffmpeg is not installed; KeyboardInterrupt on Control-C, nothing is left then.");
+      "and a video without ffmpeg; KeyboardInterrupt on Control-C, which leaves no file.");
 }
 
 }  // namespace insonify::python

@@ -42,7 +42,7 @@ Picture drawn_counts(const py::object& given, const Looks& looks,
   display.height = looks.height;
   display.annotations = looks.annotations;
   Ping counted = ping;
-  if (const py::object counts = given.attr("counts"); !counts.is_none()) {  // A recorded ping reads them now.
+  if (const py::object counts = given.attr("counts"); !counts.is_none()) {  // Read now for a recorded ping.
     const auto array = py::array_t<std::uint16_t, py::array::c_style>::ensure(counts);
     counted.counts.assign(array.data(), array.data() + array.size());
   }
@@ -76,8 +76,8 @@ Picture drawn(const PythonPing& ping, const Looks& looks,
   return draw(shown, facts.sonar, display);
 }
 
-// What draw_fan() shows unless it is asked for something else, for Ping.plot(): intensities [bins, beams], by how many
-// dB per decade of range they were raised, the brightest of them that fits, and the darkest level below that [dB].
+// The defaults of draw_fan(), for Ping.plot(): intensities [bins, beams], their gain in dB per decade of range, the
+// fitted full scale, and the darkest level below that [dB].
 py::tuple usually_shown(const PythonPing& ping) {
   const SonarFacts& facts = *ping.facts;
   const Display display = usual_display(facts.model, facts.receiver);

@@ -18,7 +18,7 @@ namespace {
 
 using PingClass = py::class_<PythonPing, std::shared_ptr<PythonPing>>;
 
-// A table [bins, beams] or [bins, beams, depth] as an array that keeps the ping alive; None where it is empty.
+// A table [bins, beams] or [bins, beams, depth] as an array that keeps the ping alive; None if it is empty.
 template <typename Value>
 py::object table(const py::object& owner, const Ping& ping, const std::vector<Value>& values) {
   const std::size_t cells = static_cast<std::size_t>(ping.bin_count) * ping.beam_count;
@@ -46,7 +46,7 @@ void add_table(PingClass& ping, const char* name, std::vector<Value> Ping::*memb
       help);
 }
 
-// For pickle and copy: all that the ping holds, with the tables of a recorded one that were not read yet.
+// For pickle and copy: all of the ping's data, including a recorded one's tables that were not read yet.
 py::tuple pickled_ping(const py::object& self) {
   const auto& ping = self.cast<const PythonPing&>();
   py::dict tables;
@@ -96,18 +96,18 @@ void bind_ping(py::module_& module) {
   PingClass ping(
       module, "Ping",
       "One ping. Tables are arrays [bins, beams] that share the ping's memory and keep it alive: beam 0 is the "
-      "one furthest to port, bin 0 the nearest. What the receiver was not asked for is None.");
+      "one furthest to port, bin 0 the nearest. Tables that were not requested are None.");
   ping.def_readonly("number", &PythonPing::number, "From 0.")
-      .def_readonly("time", &PythonPing::time, "Of transmission [s].")
-      .def_readonly("pose", &PythonPing::world_from_sonar, "Of the sonar's housing in the world, a Pose.")
+      .def_readonly("time", &PythonPing::time, "Time of transmission [s].")
+      .def_readonly("pose", &PythonPing::world_from_sonar, "Pose of the sonar's housing in the world.")
       .def_readonly("head_angle", &PythonPing::head_angle,
-                    "Of a scanning head in the housing, positive to port [rad]; else 0.")
+                    "Angle of a scanning head in the housing, positive to port [rad]; else 0.")
       .def_property_readonly(
           "shape", [](const PythonPing& self) { return py::make_tuple(self.bin_count, self.beam_count); },
           "(bins, beams).")
       .def_property_readonly(
           "sonar", [](const PythonPing& self) { return wrap(self.facts->sonar, kPingsSonar); },
-          "Settings of its sonar, a SonarConfig that cannot be changed; its copy() can.")
+          "Settings of its sonar, a read-only SonarConfig; its copy() can be changed.")
       .def_property_readonly(
           "model", [](const PythonPing& self) { return std::string(word_of(self.facts->model)); },
           "Model of the echo: calibrated or paper.");
@@ -125,11 +125,11 @@ void bind_ping(py::module_& module) {
       "Draws the ping with matplotlib. Returns the axes.\n\n"
       "kind: \"fan\", in metres, or \"polar\", azimuth [deg] and range [m]. levels: colour range (low, high) in dB as "
       "on "
-      "the colour bar; None for what fits this ping, as in insonify.fan(). ax: axes to draw in; None for a new figure. "
+      "the colour bar; None: fitted to this ping, as in insonify.fan(). ax: axes to draw in; None: a new figure. "
       "colour_map, or color_map: a name that matplotlib knows; None for inferno. counts: draw the counts instead, from "
       "0 "
       "to the greatest, where the ping has any (receiver.counts).\n\n"
-      "Raises Error where there are none, ImportError where there is no matplotlib.");
+      "Raises Error if there are none, ImportError without matplotlib.");
   ping.def(py::pickle(&pickled_ping, &unpickled_ping));
   ping.def("__repr__", [](const PythonPing& self) {
     return fmt::format("<Ping {} at {:.6g} s, {} x {}>", self.number, self.time, counted(self.bin_count, "bin"),

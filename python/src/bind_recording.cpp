@@ -109,7 +109,7 @@ py::array read_block(const PythonRecording& self, const std::string& name,
   return block;
 }
 
-// A whole table of an axis; None where the file does not have it.
+// A whole table of an axis; None if the file does not have it.
 py::object whole_table(const PythonRecording& self, const std::string& name) {
   const StoredTable* table = self.tables.find(name);
   if (table == nullptr) {
@@ -124,7 +124,7 @@ py::object whole_table(const PythonRecording& self, const std::string& name) {
 
 using RecordedClass = py::class_<PythonRecording, std::shared_ptr<PythonRecording>>;
 
-// Tables of pings, which are read as far as they are indexed, and names of those that there are.
+// Tables of pings, of which only the indexed part is read, and the names of those in the file.
 void add_layers(py::module_& module, RecordedClass& recorded) {
   std::vector<std::string> names;
   visit_tables([&](const char* name, auto member, const char* help) {
@@ -137,7 +137,7 @@ void add_layers(py::module_& module, RecordedClass& recorded) {
           }
           return py::module_::import("insonify._layers").attr("RecordedLayer")(self, name);
         },
-        (std::string(help) + " A RecordedLayer [pings, bins, beams ...]; None where it was not recorded.").c_str());
+        (std::string(help) + " A RecordedLayer [pings, bins, beams ...]; None if it was not recorded.").c_str());
     describe(module, "RecordedPings", name, {number_name<ValueOf<decltype(member)>>(), ""});
   });
   recorded.def_property_readonly(
@@ -169,10 +169,10 @@ void add_axes(RecordedClass& recorded) {
   recorded
       .def_property_readonly(
           "instance_names", [](const PythonRecording& self) { return self.tables.texts("instance_names"); },
-          "Names by the index that `instance` has.")
+          "Names by index in `instance`.")
       .def_property_readonly(
           "material_names", [](const PythonRecording& self) { return self.tables.texts("material_names"); },
-          "Names by the index that `material` has.");
+          "Names by index in `material`.");
 }
 
 }  // namespace
@@ -180,14 +180,14 @@ void add_axes(RecordedClass& recorded) {
 void bind_recording(py::module_& module) {
   RecordedClass recorded(
       module, "RecordedPings",
-      "A recording's pings, read when they are asked for: rec[3], len(rec), `for ping in rec`.\n\n"
+      "A recording's pings, read on demand: rec[3], len(rec), `for ping in rec`.\n\n"
       "path: an HDF5 or MCAP file as `insonify run` writes, perhaps still growing: it has the pings that it had when "
       "it "
       "was opened. sonar: which one of an MCAP file that holds several. Raises Error for a file that is none, and for "
       "a "
       "sonar that it does not have, naming those that it has.\n\n"
-      "MCAP holds no ground truth, and intensities as levels: rec.intensity.description tells their steps, 0.0009 dB "
-      "unless it was made otherwise; 0 below the lowest level, cut at the highest.\n\n"
+      "MCAP has no ground truth, and intensities as levels: rec.intensity.description says their steps, 0.0009 dB "
+      "by default; 0 below the lowest level, clipped at the highest.\n\n"
       "Layers such as rec.intensity and rec.instance are RecordedLayers: rec.instance[3, 100:200] reads that much and "
       "no more, np.asarray(rec.instance) reads all.");
   recorded
@@ -210,10 +210,10 @@ void bind_recording(py::module_& module) {
           "(pings, bins, beams).")
       .def_property_readonly(
           "sonar", [](PythonRecording& self) { return wrap(self.known()->sonar, kPingsSonar); },
-          "Settings of its sonar, a SonarConfig that cannot be changed; its copy() can.")
+          "Settings of its sonar, a read-only SonarConfig; its copy() can be changed.")
       .def_property_readonly(
           "model", [](const PythonRecording& self) { return self.pings.model(); },
-          "calibrated or paper; \"\" where the file does not say.")
+          "calibrated or paper; \"\" if unknown.")
       .def_property_readonly(
           "state", [](const PythonRecording& self) { return state_word(self.state); },
           "How it ended, as it was when it was opened: \"whole\"; \"growing\" while a run writes it; \"unfinished\" "

@@ -10,7 +10,7 @@
 namespace insonify::python {
 namespace {
 
-// A recording that is being made, and what its pings must be of.
+// A recording being written, and the settings that its pings must have.
 struct RecordingInPython {
   std::unique_ptr<Recording> file;
   std::shared_ptr<const SonarFacts> facts;
@@ -41,7 +41,7 @@ struct RecordingInPython {
     open().add(ping);
   }
 
-  // A file that was to replace another one stays beside it when its pings could not all be made.
+  // After a failure, a file that was to replace another one stays beside it.
   void end(bool failed) {
     if (file != nullptr && !(failed && replace)) {
       file->close();
@@ -71,23 +71,22 @@ std::unique_ptr<RecordingInPython> start_recording(const py::object& given, Pyth
 void bind_recording_writer(py::module_& module) {
   py::class_<RecordingInPython>(
       module, "Recording",
-      "Writes one sonar's pings to an HDF5 file, ping by ping; whole at any moment.\n\n"
-      "path: the file. simulator, sonar: whose pings they are. compress: by HDF5's own filters. replace: whether "
-      "it may take the place of a file that is there. Raises Error when it cannot be made. Use it in a `with`.")
+      "Writes one sonar's pings to an HDF5 file, ping by ping; the file is complete at any moment.\n\n"
+      "path: the file. simulator, sonar: source of the pings. compress: by HDF5's own filters. replace: whether "
+      "to replace an existing file. Raises Error if it cannot be made. Use it in a `with`.")
       .def(py::init(&start_recording), py::arg("path"), py::arg("simulator"), py::arg("sonar") = 0, py::kw_only(),
            py::arg("compress") = false, py::arg("replace") = false)
       .def(
           "add", [](RecordingInPython& self, const py::object& ping) { self.add(ping_from(ping)); }, py::arg("ping"),
-          "Raises Error for a ping made with other settings, and when the disk is full; what was written before stays "
+          "Raises Error for a ping made with other settings, and if the disk is full; earlier pings stay "
           "readable.")
       .def(
           "close", [](RecordingInPython& self) { self.end(false); },
-          "Puts everything on the disk, and the file in the place of an earlier one. At the end of a `with` that "
-          "failed "
-          "the earlier one stays, and the new one beside it.")
+          "Flushes everything to disk and replaces an existing file. After a `with` that failed, the existing file "
+          "stays, with the new one beside it.")
       .def_property_readonly(
           "place", [](const RecordingInPython& self) { return self.open().place().string(); },
-          "Where the file is now: beside `path` until it replaces an earlier one.")
+          "Current path of the file: beside `path` until it replaces an existing one.")
       .def("__enter__", [](const py::object& self) { return self; })
       .def("__exit__", [](RecordingInPython& self, const py::object& type, const py::object&, const py::object&) {
         self.end(!type.is_none());

@@ -28,7 +28,7 @@ void take_vertices(const Floats& vertices, Mesh& mesh) {
 void take_faces(const py::object& given, Mesh& mesh) {
   const py::array array = py::module_::import("numpy").attr("asarray")(given);
   const bool is_whole = array.dtype().kind() == 'i' || array.dtype().kind() == 'u';
-  // Indices of 64 bits without a sign are beyond any mesh where they do not fit.
+  // Unsigned 64-bit indices that do not fit are beyond any mesh.
   const bool is_wide = array.dtype().kind() == 'u' && array.itemsize() == 8;
   const py::object signed_array = is_wide
                                       ? py::module_::import("numpy")
@@ -79,7 +79,7 @@ void take_materials(const py::object& material, Mesh& mesh) {
 void add(Scene& scene, const std::string& name, const Floats& vertices, const py::object& faces,
          const py::object& material, const py::object& pose) {
   if (std::ranges::any_of(scene.instances, [&](const Instance& one) { return one.name == name; })) {
-    throw Error("", "name", fmt::format(" = {} is there already", name));
+    throw Error("", "name", fmt::format(" = {} exists already", name));
   }
   auto mesh = std::make_shared<Mesh>();
   mesh->name = name;
@@ -109,7 +109,8 @@ py::list names_of(const auto& things) {
 }  // namespace
 
 void bind_scene(py::module_& module) {
-  py::class_<Scene>(module, "Scene", "What is insonified: instances of meshes, each with a name, a pose and materials.")
+  py::class_<Scene>(module, "Scene",
+                    "The scene to insonify: instances of meshes, each with a name, a pose and materials.")
       .def(py::init<>(), "An empty scene, for add().")
       .def_static(
           "load",
@@ -130,14 +131,15 @@ void bind_scene(py::module_& module) {
            "a library "
            "material or of one of the scenario's `materials`, or a list of names, one for each face. pose: where the "
            "mesh is, "
-           "as of Simulator.ping(). Raises Error for a name that is there, and for what is no mesh; warns of dropped "
-           "faces. A material that nobody knows is an Error of the Simulator that is made with the scene.")
+           "as of Simulator.ping(). Raises Error for a name that exists already, and for an invalid mesh; warns of "
+           "dropped "
+           "faces. An unknown material is an Error of the Simulator made with the scene.")
       .def_property_readonly(
           "instance_names", [](const Scene& self) { return names_of(self.instances); },
-          "Names by the index that Ping.instance has.")
+          "Names by index in Ping.instance.")
       .def_property_readonly(
           "material_names", [](const Scene& self) { return names_of(self.materials); },
-          "Names by the index that Ping.material has; empty before materials are assigned.")
+          "Names by index in Ping.material; empty before materials are assigned.")
       .def_property_readonly(
           "materials",
           [](const Scene& self) {
@@ -147,7 +149,7 @@ void bind_scene(py::module_& module) {
             }
             return all;
           },
-          "Materials by that index, copies.")
+          "Copies of the materials by that index.")
       .def(
           "triangles",
           [](const Scene& self, const std::string& name) {

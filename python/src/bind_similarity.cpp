@@ -35,7 +35,7 @@ py::array_t<double> array_of(const GreyPicture& picture) {
   return levels;
 }
 
-// A class of numbers that can only be read, from its list of fields.
+// A read-only class of numbers, from its list of fields.
 template <typename Measures>
 void add_measures(py::module_& module, const py::module_& described, const char* name, const char* help) {
   py::class_<Measures> measures(module, name, help);

@@ -82,7 +82,7 @@ std::shared_ptr<PythonPing> ping(PythonSimulator& self, const py::object& sonar_
 void add_request(py::module_& module) {
   using Asked = PythonSimulator::Asked;
   py::class_<Asked>(module, "PingRequest",
-                    "What a ping is asked for: the keywords of Simulator.ping(), to be kept and passed in place of a "
+                    "A request for a ping: the keywords of Simulator.ping() as an object to pass instead of a "
                     "pose.\n\nValues are checked when the ping is made.")
       .def(py::init([](const py::object& pose, const py::object& time, const py::object& number,
                        const py::object& twist, const py::object& moved,
@@ -94,34 +94,34 @@ void add_request(py::module_& module) {
             return py::make_tuple(self.pose, self.time, self.number, self.twist, self.moved, self.head_angle);
           },
           [](const py::tuple& state) { return Asked{state[0], state[1], state[2], state[3], state[4], state[5]}; }))
-      .def_readwrite("pose", &Asked::pose, "Of the vehicle in the world; None: the scenario's.")
-      .def_readwrite("time", &Asked::time, "Of transmission [s].")
-      .def_readwrite("number", &Asked::number, "With the seed decides the random numbers; the step of a head.")
-      .def_readwrite("twist", &Asked::twist, "(linear [m/s], angular [rad/s]) along the world's axes.")
-      .def_readwrite("moved", &Asked::moved, "Names, or indices of instances, and poses of movable objects.")
-      .def_readwrite("head_angle", &Asked::head_angle, "Of a scanning head [rad].");
+      .def_readwrite("pose", &Asked::pose, "Pose of the vehicle in the world; None: the scenario's.")
+      .def_readwrite("time", &Asked::time, "Time of transmission [s].")
+      .def_readwrite("number", &Asked::number, "Seeds random numbers, with the scenario's seed; the step of a head.")
+      .def_readwrite("twist", &Asked::twist, "(linear [m/s], angular [rad/s]) in the world's frame.")
+      .def_readwrite("moved", &Asked::moved, "Poses of movable objects by name or instance index.")
+      .def_readwrite("head_angle", &Asked::head_angle, "Angle of a scanning head [rad].");
 }
 
 constexpr const char* kPingHelp = R"(Makes a ping. Returns a Ping; other threads of Python run meanwhile.
 
 sonar: name or index.
 pose: of the vehicle in the world, a 4 x 4 matrix, a pair (position, quaternion w x y z), these seven numbers in a row or a
-    Pose; None for the scenario's trajectory. Or a PingRequest, which says the rest too.
+    Pose; None: the scenario's trajectory. Or a PingRequest, instead of all other arguments.
 time: of transmission [s]; None: number times the sonar's ping period.
-number: with the scenario's seed decides the random numbers, and the step of a scanning head; None: the one after the last.
-twist: pair (linear [m/s], angular [rad/s]) along the world's axes, for motion_in_ping; None: the trajectory's, or at rest
-    where a pose is given.
-moved: dict of names, or indices of instances, and poses of movable objects.
+number: seeds random numbers, with the scenario's seed, and is the step of a scanning head; None: the one after the last.
+twist: pair (linear [m/s], angular [rad/s]) in the world's frame, for motion_in_ping; None: the trajectory's, or at rest
+    if a pose is given.
+moved: dict of poses of movable objects by name or instance index.
 head_angle: of a scanning head [rad].
 
-Raises Error for what makes no sense; the next request may be a better one.)";
+Raises Error for an invalid request; the simulator stays usable.)";
 
 constexpr const char* kSimulatorHelp = R"(Runs the sonars of a scenario in a scene.
 
 scenario: a Scenario.
 scene: a Scene instead of the scenario's world.
-threads: 0 for as many as there are processors; pings do not depend on it.
-movable: names of objects that `moved` may move, or a dict of names and poses of their frames.
+threads: 0: one per processor; pings do not depend on it.
+movable: names of objects that `moved` may move, or a dict of the poses of their frames by name.
 
 Simulators may be used from several threads; one simulator makes one ping at a time.)";
 
@@ -154,7 +154,7 @@ void bind_simulator(py::module_& module) {
            "something in the scene moves (a scenario's motions, a sea "
            "surface): "
            "then they share each ping. The pings are those of ping(), one after the other, byte for byte. Raises Error "
-           "for the first that makes no sense, and KeyboardInterrupt within 64 pings of Control-C.")
+           "for the first invalid one, and KeyboardInterrupt within 64 pings of Control-C.")
       .def("_time_ping",
            [](PythonSimulator& self, const py::object& sonar_, const py::object& pose, const py::object& number) {
              const int sonar = self.sonar(sonar_);
@@ -203,10 +203,10 @@ void bind_simulator(py::module_& module) {
           "A copy of the scene, which takes no more objects: Simulator.add() and remove() change the simulator's.")
       .def_property_readonly(
           "instance_names", [](const PythonSimulator& self) { return self.known().instance_names; },
-          "Names by the index that Ping.instance has.")
+          "Names by index in Ping.instance.")
       .def_property_readonly(
           "material_names", [](const PythonSimulator& self) { return self.known().material_names; },
-          "Names by the index that Ping.material has.");
+          "Names by index in Ping.material.");
 }
 
 }  // namespace insonify::python

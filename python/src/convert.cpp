@@ -1,4 +1,4 @@
-// convert.cpp -- checks what Python gives, and says what was expected instead.
+// convert.cpp -- checks values from Python, and says what was expected.
 
 #include "convert.h"
 
@@ -32,7 +32,7 @@ bool is_number(py::handle value) {
          (PyNumber_Check(value.ptr()) != 0) && !py::isinstance<py::sequence>(value);
 }
 
-// The number that an object with __float__ is: also NumPy's.
+// The number of an object with __float__, also NumPy's.
 double number_from(py::handle value, const std::string& name, const std::string& expected) {
   if (!is_number(value)) {
     refuse(value, name, expected);
@@ -45,11 +45,11 @@ double number_from(py::handle value, const std::string& name, const std::string&
   return number;
 }
 
-// The whole number that an object with __index__ is.
+// The whole number of an object with __index__.
 template <typename Whole>
 Whole whole_from(py::handle value, const std::string& name) {
   if (!py::isinstance<py::bool_>(value)) {
-    // Null for what has no __index__, of which pybind11 could not even name the type.
+    // Null without __index__; pybind11 could not even name the type.
     if (const auto whole = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()))) {
       try {
         return whole.cast<Whole>();

@@ -60,7 +60,7 @@ py::object to_python(const std::optional<T>& value, double scale) {
 }
 
 // The way back: sets a member from a Python value that is `scale` times the member's.
-// @throws Error about `name`, for a value of another kind.
+// @throws Error about `name`, for a value of the wrong type.
 void from_python(py::handle value, const std::string& name, double scale, double& member);
 void from_python(py::handle value, const std::string& name, double scale, int& member);
 void from_python(py::handle value, const std::string& name, double scale, std::uint64_t& member);
@@ -79,7 +79,7 @@ void from_python(py::handle value, const std::string& name, double scale, std::v
   return path;
 }
 
-/// @throws Error listing the words there are.
+/// @throws Error listing the known words.
 [[noreturn]] void refuse_word(py::handle value, const std::string& name, const std::vector<std::string>& words);
 
 template <typename Enum>
@@ -108,13 +108,12 @@ void from_python(py::handle value, const std::string& name, double scale, std::o
 }
 
 /// Two levels (low, high) [dB], as `levels` of pictures.
-/// @throws Error unless they rise and are within 400 dB, as those of `--levels`.
+/// @throws Error unless they increase and are within 400 dB, as for `--levels`.
 [[nodiscard]] std::pair<double, double> levels_from(py::handle value);
 
 /// A pose from a 4 x 4 matrix, a pair (position, quaternion w x y z), these seven numbers in a row, or a Pose.
-/// @throws Error about `name`: for another shape, for what is not finite, for a matrix that does not only turn and
-/// move,
-///         and for a quaternion whose norm is not within 1 % of 1.
+/// @throws Error about `name`: for another shape, for values that are not finite, for a matrix that is not a rigid
+///         transform, and for a quaternion whose norm is not within 1 % of 1.
 [[nodiscard]] Pose pose_from(py::handle value, const std::string& name);
 
 }  // namespace insonify::python

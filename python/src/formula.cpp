@@ -19,7 +19,7 @@ py::array_t<double> array_from(const Numbers& numbers, const std::string& name) 
       PyErr_Clear();
       throw Error("", name, fmt::format(" = {} must be a number or an array of numbers", shown(numbers.given)));
     }
-  } catch (const py::error_already_set&) {  // Lists of unequal lengths are no array.
+  } catch (const py::error_already_set&) {  // Lists of unequal lengths are not an array.
     throw Error("", name, fmt::format(" = {} must be a number or an array of numbers", shown(numbers.given)));
   }
   return array;

@@ -1,4 +1,4 @@
-// formula.h -- binds formulas of numbers, which then take arrays too, with errors that name the argument.
+// formula.h -- binds formulas for numbers and arrays, with errors that name the argument.
 
 #pragma once
 
@@ -14,15 +14,15 @@
 
 namespace insonify::python {
 
-/// A number or an array of numbers as Python gives it, not looked at yet. Its signature is that of an array.
+/// An unchecked number or array of numbers from Python. Its signature is that of an array.
 struct Numbers {
   py::object given;
 };
 
-/// @throws Error about `name` for what is neither a number nor an array of numbers.
+/// @throws Error about `name` for anything else than a number or an array of numbers.
 [[nodiscard]] py::array_t<double> array_from(const Numbers& numbers, const std::string& name);
 
-/// @throws Error that tells the shapes of arrays that cannot be broadcast to one.
+/// @throws Error with the shapes of arrays that cannot be broadcast together.
 void check_shapes(const py::array_t<double>* arrays, const std::string* names, std::size_t count);
 
 namespace formula_detail {
@@ -47,7 +47,7 @@ py::object over_arrays(Result (*function)(Args...), const std::array<std::string
 
 }  // namespace formula_detail
 
-/// Adds a function to a module: of numbers it gives a number, of arrays one of the shape that they are broadcast to.
+/// Adds a function to a module: it returns a number for numbers, and an array of the broadcast shape for arrays.
 /// @param extra  An arg() for each argument, and the help.
 template <typename Result, typename... Args, typename... Extra>
 void add_formula(py::module_& module, const char* name, Result (*function)(Args...), const Extra&... extra) {

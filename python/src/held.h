@@ -16,9 +16,9 @@
 
 namespace insonify::python {
 
-/// What a Python object of a configuration's class holds. Parts (a struct, an optional one, a list or a dict of them)
-/// are Python objects: `sonar = scenario.sonars[0]` stays what it is when the list changes, and a change of it is one
-/// of the scenario's.
+/// The contents of a Python object of a configuration's class. Parts (a struct, an optional one, a list or a dict of
+/// them) are Python objects: `sonar = scenario.sonars[0]` stays valid when the list changes, and changing it changes
+/// the scenario.
 template <typename Config>
 struct Held {
   Config value = {};                        ///< Its parts are those it was made with, perhaps no longer current.
@@ -26,7 +26,7 @@ struct Held {
   const char* frozen = nullptr;             ///< Why its fields and parts cannot be set; null where they can.
 };
 
-// A frozen object refuses to be changed where the change would reach nobody; its copy() can be changed.
+// A frozen object refuses changes, which would have no effect; its copy() can be changed.
 inline constexpr const char* kSimulatorsSonar =
     "this is a copy of a simulator's sonar; change a copy() of it and pass that to Simulator.set_sonar()";
 inline constexpr const char* kSimulatorsScenario =
@@ -34,13 +34,13 @@ inline constexpr const char* kSimulatorsScenario =
     "scenario to a new Simulator()";
 inline constexpr const char* kPingsSonar = "a ping was made with these settings; change a copy() of them";
 
-/// @param frozen  Why it and its parts cannot be changed; lists are tuples then. Null where they can.
+/// @param frozen  Why it and its parts cannot be changed, with tuples for lists; null: they can.
 template <typename Config>
 py::object wrap(const Config& config, const char* frozen = nullptr);
 template <typename Config>
 Config unwrap(py::handle object, const std::string& name);
 
-// A part as Python object.
+// A part as a Python object.
 template <typename Config>
 py::object wrap_part(const Config& part, const char* frozen = nullptr) {
   return wrap(part, frozen);
@@ -66,12 +66,12 @@ py::object wrap_part(const std::map<std::string, Config>& part, const char* froz
   return frozen == nullptr ? py::object(dict) : py::reinterpret_steal<py::object>(PyDictProxy_New(dict.ptr()));
 }
 
-/// Whether it is a dict, or the read-only view of one that a frozen object has.
+/// Whether it is a dict, or a frozen object's read-only view of one.
 inline bool is_mapping(py::handle object) {
   return py::isinstance<py::dict>(object) || Py_IS_TYPE(object.ptr(), &PyDictProxy_Type);
 }
 
-/// A part with the tuple or view of a frozen object made a list or dict again.
+/// A part, with the tuple or view of a frozen object converted back to a list or dict.
 inline py::object thawed(const py::object& part) {
   return py::isinstance<py::tuple>(part) ? py::object(py::list(part))
          : is_mapping(part)              ? py::object(py::dict(part))
@@ -124,7 +124,7 @@ py::object wrap(const Config& config, const char* frozen) {
   return py::cast(std::move(held));
 }
 
-/// A scenario's text and places are those of its file only as long as nothing was changed.
+/// A scenario's text and places are valid only until something is changed.
 template <typename Config>
 void forget_text(Config& config) {
   if constexpr (std::is_same_v<Config, Scenario>) {
@@ -134,7 +134,7 @@ void forget_text(Config& config) {
 }
 
 /// The configuration that a Python object stands for, with its parts as they are now.
-/// @param name  What it is, for messages: "sonars[0]".
+/// @param name  Its name in messages: "sonars[0]".
 /// @throws Error for an object of another class.
 template <typename Config>
 Config unwrap(py::handle object, const std::string& name) {

@@ -7,13 +7,13 @@
 namespace insonify::python {
 namespace {
 
-// pybind11 calls a method of an object without a value, such as Simulator.__new__(Simulator), with memory that it gets
-// here for its type and that holds nothing.
+// pybind11 calls methods of uninitialised objects, such as Simulator.__new__(Simulator), with empty memory that it
+// allocates here for the type.
 void* refuse_memory(std::size_t) {
   throw py::type_error("this object was not initialised: its class must be called, not __new__() alone");
 }
 
-// Has the methods of all classes of a module refuse objects without a value.
+// Makes the methods of all classes of a module refuse uninitialised objects.
 void guard_classes(const py::module_& module) {
   for (const std::pair<py::handle, py::handle> item : py::dict(module.attr("__dict__"))) {
     if (PyType_Check(item.second.ptr()) == 0) {

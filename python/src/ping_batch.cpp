@@ -51,7 +51,7 @@ class Batch {
   py::dict arrays_;
 };
 
-// The poses of ping_batch() as something with a length and items.
+// The poses of ping_batch() as a sequence with a length.
 py::object pose_items(const py::object& poses) {
   constexpr const char* kExpected =
       " must be a list of poses, at least one, an array [n, 4, 4] or [n, 7], or a tuple of arrays [n, 3] and [n, 4]";
@@ -88,7 +88,7 @@ py::object pose_items(const py::object& poses) {
   return items;
 }
 
-// The same error with the index of the pose that it is about.
+// The same error with the index of its pose.
 [[noreturn]] void throw_with_index(const Error& error, std::size_t index, bool is_request) {
   const std::string owner = fmt::format("poses[{}]", index);
   const std::string name = member_name(error.object(), error.field()), text = error.what();

@@ -8,11 +8,11 @@
 
 namespace insonify::python {
 
-/// A PingRequest as it is, or one of a pose.
+/// A given PingRequest, or one made from a pose.
 [[nodiscard]] PythonSimulator::Asked asked_from(const py::object& pose);
 
-/// Simulator.ping_batch(): a dict of the tables that the pings have, [ping, bin, beam].
-/// @throws Error for the first pose or time that makes no sense, with its index.
+/// Simulator.ping_batch(): a dict of the pings' tables, [ping, bin, beam].
+/// @throws Error for the first invalid pose or time, with its index.
 [[nodiscard]] py::dict ping_batch(PythonSimulator& self, const py::object& sonar_, const py::object& given,
                                   const py::object& times);
 

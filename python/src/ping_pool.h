@@ -1,4 +1,4 @@
-// ping_pool.h -- pings of one sonar that Python has let go of, whose memory the next ones use again.
+// ping_pool.h -- a pool of one sonar's pings that Python has released, whose memory the next ones reuse.
 
 #pragma once
 
@@ -10,8 +10,8 @@
 
 namespace insonify::python {
 
-/// A ping's tables take as long to allocate as a small ping to compute. A ping comes back when neither Python nor an
-/// array refers to it any more.
+/// Allocating a ping's tables takes as long as computing a small ping. A ping returns to the pool when neither Python
+/// nor an array refers to it.
 class PingPool : public std::enable_shared_from_this<PingPool> {
  public:
   [[nodiscard]] std::shared_ptr<PythonPing> take() {

@@ -24,23 +24,23 @@ void visit_tables(Visit&& visit) {
         "to 1 "
         "in the paper model.");
   visit("field", &Ping::field, "Complex field, complex64, whose squared magnitude is the intensity.");
-  visit("counts", &Ping::counts, "Counts as the instrument delivers them, uint16.");
+  visit("counts", &Ping::counts, "Counts of the instrument, uint16.");
   visit("instance", &Ping::instance,
-        "Index into Simulator.instance_names of the strongest echo, uint16; NO_LABEL where nothing echoed.");
-  visit("material", &Ping::material, "Index into Simulator.material_names of the same, uint16.");
+        "Index into Simulator.instance_names of the strongest echo, uint16; NO_LABEL: no echo.");
+  visit("material", &Ping::material, "Index into Simulator.material_names of its material, uint16.");
   visit("elevation", &Ping::elevation,
-        "Mean elevation of the same in the sonar's frame, positive up [rad], float32; NaN where nothing echoed.");
+        "Its mean elevation in the sonar's frame, positive up [rad], float32; NaN: no echo.");
   visit("strongest_instance", &Ping::strongest_instance,
         "The strongest instances of each bin, strongest first, uint16 [bins, beams, k] (ground_truth full).");
   visit("strongest_share", &Ping::strongest_share, "Their shares of the bin's energy, 0 to 1, float32.");
   visit("elevation_spread", &Ping::elevation_spread,
         "Standard deviation of the strongest's elevations [rad], float32 (ground_truth full).");
   visit("path_order", &Ping::path_order,
-        "Surfaces met by the paths that gave most, uint8; 0 where none (ground_truth full).");
+        "Number of surfaces on the strongest paths, uint8; 0: no echo (ground_truth full).");
   visit("shadow", &Ping::shadow,
         "Share of the beam that nearer surfaces hide, 0 to 1, of bins without a direct echo (ground_truth full).");
   visit("direct_intensity", &Ping::direct_intensity,
-        "What paths with one surface give, noise and speckle left out (ground_truth full).");
+        "Intensity of paths with one surface, without noise and speckle (ground_truth full).");
 }
 
 }  // namespace insonify::python

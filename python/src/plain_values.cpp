@@ -1,4 +1,4 @@
-// plain_values.cpp -- takes nested dicts and lists apart, with the name of each value for messages.
+// plain_values.cpp -- copies nested dicts and lists, with the name of each value for messages.
 
 #include "plain_values.h"
 
@@ -9,7 +9,7 @@
 namespace insonify::python {
 namespace {
 
-// Raises RecursionError instead of exhausting the stack, where a list or dict holds itself.
+// Raises RecursionError instead of exhausting the stack if a list or dict contains itself.
 class RecursionGuard {
  public:
   RecursionGuard() {
@@ -45,7 +45,7 @@ py::list plain_list(const py::sequence& given, const std::string& name) {
   return plain;
 }
 
-// Whether json.dumps() writes it as it is.
+// Whether json.dumps() writes it unchanged.
 bool is_scalar(py::handle value) {
   return value.is_none() || py::isinstance<py::bool_>(value) || py::isinstance<py::str>(value) ||
          py::isinstance<py::int_>(value) || py::isinstance<py::float_>(value);

@@ -1,4 +1,4 @@
-// python_recording.h -- a recording as Python holds it: its pings, and its tables read when they are asked for.
+// python_recording.h -- a recording in Python: its pings and tables, read on demand.
 
 #pragma once
 
@@ -21,11 +21,11 @@ struct PythonRecording {
   RecordingState state;                          ///< When it was opened.
   std::shared_ptr<const SonarFacts> facts = {};  ///< Once a ping was asked for.
 
-  /// @param sonar  Its name; "" for the only one.
+  /// @param sonar  Name; "" for the only one.
   explicit PythonRecording(const std::filesystem::path& file, const std::string& sonar = "")
       : path(file), pings(file, sonar), tables(file, sonar), state(recording_state(file)) {}
 
-  /// Pings that every table has; a recording may grow while it is opened.
+  /// Number of pings in every table; a recording may grow while it is opened.
   [[nodiscard]] std::uint64_t ping_count() const {
     const StoredTable* intensity = tables.find("intensity");
     return intensity == nullptr ? pings.ping_count() : std::min(pings.ping_count(), intensity->shape.front());
@@ -51,7 +51,7 @@ constexpr NumberType number_type_of() {
   }
 }
 
-/// Reads one ping of a table; leaves `values` empty where the file does not have it.
+/// Reads one ping of a table; leaves `values` empty if the file does not have it.
 template <typename Value>
 void read_table(const PythonRecording& recording, std::uint64_t ping, const std::string& name,
                 std::vector<Value>& values) {

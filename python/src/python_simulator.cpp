@@ -1,4 +1,4 @@
-// python_simulator.cpp -- from arguments of Python to requests, and pings without the interpreter's lock.
+// python_simulator.cpp -- turns Python arguments into requests, and makes pings without the interpreter's lock.
 
 #include "python_simulator.h"
 
@@ -88,7 +88,7 @@ int PythonSimulator::sonar(const py::object& sonar) const {
       }
       names.push_back(sonars[i].name);
     }
-    throw Error("", "sonar", fmt::format(" = {} is not there; there are {}", shown(sonar), fmt::join(names, ", ")));
+    throw Error("", "sonar", fmt::format(" = {} does not exist; available: {}", shown(sonar), fmt::join(names, ", ")));
   }
   int index = 0;
   from_python(sonar, "sonar", 1, index);
@@ -100,8 +100,8 @@ int PythonSimulator::sonar(const py::object& sonar) const {
 
 namespace {
 
-// Takes the numbers of pings before they are made, so that other threads take others; gives them back if that fails.
-// Made and ended with the interpreter's lock held.
+// Reserves ping numbers before the pings are made, so that other threads get others; returns them on failure.
+// Constructed and destroyed with the interpreter's lock held.
 class TakenNumbers {
  public:
   TakenNumbers(std::uint64_t& next, std::uint64_t end) : next_(next), before_(std::exchange(next, end)), end_(end) {}
@@ -162,7 +162,7 @@ std::shared_ptr<PythonPing> PythonSimulator::ping(int sonar, const PingRequest& 
 }
 
 void PythonSimulator::ping(int sonar, const std::vector<PingRequest>& requests, const Take& take) {
-  // Enough for the threads to have as much to do as each other, few enough to be stopped and to stay in memory.
+  // Enough to balance the load of the threads, few enough to stop soon and to fit in memory.
   constexpr std::size_t kAtOnce = 64;
   if (requests.empty()) {
     return;

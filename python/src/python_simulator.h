@@ -1,4 +1,4 @@
-// python_simulator.h -- a simulator that threads of Python may share, and that counts its pings.
+// python_simulator.h -- a simulator that Python threads may share, and that counts its pings.
 
 #pragma once
 
@@ -28,23 +28,23 @@ class PythonSimulator {
   /// Index of a sonar by index or name.  @throws Error listing the names.
   [[nodiscard]] int sonar(const py::object& sonar) const;
 
-  /// What ping() was asked for, a PingRequest of Python; None where the scenario says it.
+  /// The arguments of ping(), a Python PingRequest; None: as in the scenario.
   struct Asked {
     py::object pose = py::none(), time = py::none(), number = py::none(), twist = py::none(), moved = py::none(),
                head_angle = py::none();
   };
 
-  /// The request of the next ping, or of the one asked for.
+  /// The request of the next ping, or of the requested one.
   [[nodiscard]] PingRequest request(int sonar, const Asked& asked);
 
   /// Makes a ping, without the interpreter's lock; one at a time.
   [[nodiscard]] std::shared_ptr<PythonPing> ping(int sonar, const PingRequest& request);
 
-  /// Makes many, some at a time, and calls take(pings, index of the first of them) with the interpreter's lock.
+  /// Makes many in blocks, and calls take(pings, index of the first of them) with the interpreter's lock.
   using Take = std::function<void(std::span<const Ping> pings, std::size_t first)>;
   void ping(int sonar, const std::vector<PingRequest>& requests, const Take& take);
 
-  /// Seconds that a ping takes a program in C++, which uses the same Ping again: to measure what Python adds.
+  /// Time of a ping in a C++ program that reuses its Ping [s]: to measure Python's overhead.
   [[nodiscard]] double time_ping(int sonar, const PingRequest& request);
 
   void set_sonar(int sonar, const SonarConfig& config);
@@ -55,7 +55,7 @@ class PythonSimulator {
   [[nodiscard]] std::unique_ptr<Recording> recording(const std::filesystem::path& path, int sonar,
                                                      const RecordingOptions& options);
 
-  /// What Python reads of the simulator without waiting for a ping. Replaced as a whole when something changes.
+  /// Properties that Python reads without waiting for a ping. Replaced as a whole by each change.
   struct Known {
     Scenario scenario;
     ScenarioRequests requests;
@@ -73,19 +73,19 @@ class PythonSimulator {
     return action();
   }
 
-  // Sets facts_ and returns what is known now.
+  // Sets facts_ and returns the current properties.
   [[nodiscard]] std::shared_ptr<const Known> look();
 
   // With mutex_.
   Simulator simulator_;
-  std::vector<std::shared_ptr<const SonarFacts>> facts_;  // [sonar] Settings with which its next ping is made.
+  std::vector<std::shared_ptr<const SonarFacts>> facts_;  // [sonar] Settings of its next ping.
   Ping timed_;
   std::mutex mutex_;
 
   // With the interpreter's lock.
   std::shared_ptr<const Known> known_;
   std::vector<std::uint64_t> next_;               // [sonar] Number of its next ping.
-  std::vector<std::shared_ptr<PingPool>> pools_;  // [sonar] Made anew where tables may become others.
+  std::vector<std::shared_ptr<PingPool>> pools_;  // [sonar] Cleared when the shapes of the tables may change.
   void make_pools();
 };
 

@@ -1,4 +1,4 @@
-// python_types.h -- names of Python's types for the values that cross over, from which the type stubs are made.
+// python_types.h -- Python type names of converted values, for the type stubs.
 
 #pragma once
 
@@ -16,7 +16,7 @@
 
 namespace insonify::python {
 
-/// Type of a field as it is read, and as it may be given.
+/// Type of a field when read, and when set.
 struct PythonType {
   std::string read, given;
 };

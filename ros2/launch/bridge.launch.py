@@ -15,13 +15,13 @@ from launch.substitutions import LaunchConfiguration
 # Name, default (None: must be given) and what it is.
 ARGUMENTS = (
     ("scenario", None, "scenario file"),
-    ("odometry", "", "topic of nav_msgs/msg/Odometry that tells where the vehicle is"),
-    ("tf", "", "frame of the vehicle, whose place tf tells; instead of odometry"),
+    ("odometry", "", "topic of nav_msgs/msg/Odometry with the vehicle's pose"),
+    ("tf", "", "frame of the vehicle, looked up in tf; instead of odometry"),
     ("world_frame", "world", "name of the world's frame"),
-    ("use_sim_time", "false", "whether /clock tells the time"),
+    ("use_sim_time", "false", "whether to use the time of /clock"),
     ("levels", "", "levels of the darkest and the brightest value, LOW:HIGH in dB"),
     ("set", "", "changes of the scenario's keys, KEY=VALUE, with blanks between"),
-    ("options", "", "further words of `insonify bridge dds`, as a shell would take them"),
+    ("options", "", "further arguments of `insonify bridge dds`, in shell syntax"),
 )
 
 

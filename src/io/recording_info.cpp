@@ -1,4 +1,4 @@
-// recording_info.cpp -- collects what HDF5 attributes or MCAP metadata tell.
+// recording_info.cpp -- collects HDF5 attributes or MCAP metadata.
 
 #include "insonify/recording_info.h"
 
@@ -43,7 +43,7 @@ RecordingInfo info_of_hdf5(const std::filesystem::path& path) {
   if (const auto seed = tables.attributes().find("seed"); seed != tables.attributes().end() && seed->is_number()) {
     info.seed = seed->get<std::uint64_t>();
   }
-  static_cast<void>(tables.settings());  // Throws for a damaged file: what was recorded is then not what it tells.
+  static_cast<void>(tables.settings());  // Throws for a damaged file, whose contents cannot be trusted.
   RecordedSonar sonar{.config = pings.sonar_config(), .pings = tables.ping_count()};
   for (const RecordedTable& table : tables.tables()) {
     info.contents.push_back(table.name);

@@ -1,4 +1,4 @@
-// flown_path.cpp -- integrates velocities, and rounds poses to the precision that YAML preserves.
+// flown_path.cpp -- integrates velocities and rounds poses to the precision that YAML preserves.
 
 #include "live/flown_path.h"
 
@@ -7,11 +7,11 @@
 namespace insonify {
 namespace {
 
-// To six decimals, so that the shortest decimal number of the result is the one that was meant.
+// To six decimals, so that the result's shortest decimal representation is the intended number.
 double to_millionths(double value) {
   constexpr double kParts = 1e6;
   const double rounded = std::round(value * kParts) / kParts;
-  return rounded == 0 ? 0 : rounded;  // No -0, which files would spell out.
+  return rounded == 0 ? 0 : rounded;  // Avoids "-0" in files.
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ LivePrepared LiveBuilder::prepare(std::span<const LiveChange> changes, const Liv
   if (text_changes || materials_change) {
     next.scenario = next.settings.scenario(log);
   }
-  // Under a surface the speed of sound follows from the depth at which the vehicle starts.
+  // Under a surface the sound speed follows from the vehicle's initial depth.
   const bool by_depth = next.scenario.surface.has_value();
   if (by_depth || ((text_changes || materials_change) && !differ_in_sonars_only(scenario, next.scenario))) {
     const LiveStart start = start_after(next.way, next.place, next.scenario, standing);

@@ -1,4 +1,4 @@
-// live_change.h -- requests that start a run anew, and what was prepared for them.
+// live_change.h -- requests that restart a run, and their prepared results.
 
 #pragma once
 
@@ -19,12 +19,12 @@
 
 namespace insonify {
 
-/// Where the vehicle is after a change.
+/// Pose of the vehicle after a change.
 enum class LiveWay {
-  kGoesOn,     ///< As before it.
+  kGoesOn,     ///< Unchanged.
   kFromStart,  ///< At the start of the scenario's trajectory.
-  kFromHere,   ///< Steered from where it is.
-  kPlaced      ///< Steered from `place`.
+  kFromHere,   ///< Steered, from its current pose.
+  kPlaced      ///< Steered, from `place`.
 };
 
 /// One request.
@@ -33,19 +33,19 @@ struct LiveChange {
   std::optional<std::pair<std::string, std::string>> material = {};  ///< Names of an object and of its new material.
   LiveWay way = LiveWay::kGoesOn;
   Pose place = {};
-  std::filesystem::path recording = {};  ///< To be begun; empty for none.
-  bool replace = false;                  ///< Whether its files may replace others.
+  std::filesystem::path recording = {};  ///< To start; empty: none.
+  bool replace = false;                  ///< Whether its files may replace existing ones.
   LiveLoop::Done done = {};              ///< May be empty.
 };
 
-/// How a run stands when a change of it is prepared or takes place.
+/// State of a run when a change is prepared or applied.
 struct LiveStanding {
   LiveStart start;
   double next_time = 0;  ///< [s]
   Pose next_pose;
 };
 
-/// What requests come to.
+/// The prepared result of requests.
 struct LivePrepared {
   LiveSettings settings;
   Scenario scenario;  ///< With its own trajectory.
@@ -53,29 +53,29 @@ struct LivePrepared {
   Pose place = {};
   std::filesystem::path recording = {};
   bool replace = false;
-  std::unique_ptr<Simulator> simulator = {};  ///< Null: the present one can go on, with `sonars`.
-  std::vector<PreparedSonar> sonars = {};     ///< All sonars, or empty where they stay.
-  std::optional<LiveStart> start = {};        ///< That the simulator was built for, where it depends on it.
-  LiveObjectList objects = {};                ///< That the simulator was built with.
+  std::unique_ptr<Simulator> simulator = {};  ///< Null: the current one continues, with `sonars`.
+  std::vector<PreparedSonar> sonars = {};     ///< All sonars, or empty if unchanged.
+  std::optional<LiveStart> start = {};        ///< Start that the simulator was built for, if it depends on it.
+  LiveObjectList objects = {};                ///< Objects that the simulator was built with.
 };
 
 /// Where a run begins after a change.
 [[nodiscard]] LiveStart start_after(LiveWay way, const Pose& place, const Scenario& scenario,
                                     const LiveStanding& standing);
 
-/// Prepares simulators, and keeps the meshes of the world it has read.
+/// Prepares simulators, and caches the meshes of the world.
 class LiveBuilder {
  public:
   explicit LiveBuilder(int threads) : threads_(threads) {}
 
-  /// @param objects  Beside the scenario's world.
-  /// @param scene    That pings are made in.
-  /// @param log      Takes warnings of settings and worlds.
-  /// @throws Error for what cannot be done.
+  /// @param objects  In addition to the scenario's world.
+  /// @param scene    Of the current pings.
+  /// @param log      Receives warnings about settings and worlds.
+  /// @throws Error for requests that cannot be applied.
   [[nodiscard]] std::unique_ptr<Simulator> build(const Scenario& scenario, const LiveStart& start,
                                                  const LiveObjectList& objects, const Log& log);
 
-  /// Requests in their order, on top of what was prepared last.
+  /// Requests in order, on top of the last prepared result.
   [[nodiscard]] LivePrepared prepare(std::span<const LiveChange> changes, const LiveSettings& settings,
                                      const Scenario& scenario, const LiveStanding& standing,
                                      const LiveObjectList& objects, const Scene& scene, const Log& log);

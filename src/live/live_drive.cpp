@@ -11,7 +11,7 @@
 
 namespace insonify {
 
-// Whether the next pings need a pose or a time that has not been told.
+// Whether the next pings need a pose or a time that has not arrived.
 bool LiveLoop::State::waits_for_others() const {
   if (options.driven && (!drive || drive_refused)) {
     return true;
@@ -20,8 +20,8 @@ bool LiveLoop::State::waits_for_others() const {
   return options.clocked && (!clock || *clock - clock_anchor < run->next_time() - anchor_time - kSameTime);
 }
 
-// Ends the path where the vehicle is now; the first time, the run begins there.
-// @return  Whether pings can be made from there.
+// Ends the path at the vehicle's current pose; the first time, starts the run there.
+// @return  Whether pings can be made from that pose.
 bool LiveLoop::State::drive_to_next(Lock& lock) {
   std::string refusal;
   try {
@@ -44,7 +44,7 @@ bool LiveLoop::State::drive_to_next(Lock& lock) {
   return !drive_refused;
 }
 
-// As keep_pace(), for the clock of another program.
+// keep_pace() for another program's clock.
 void LiveLoop::State::keep_clock() {
   if (!options.clocked || !clock) {
     return;
@@ -76,7 +76,7 @@ void LiveLoop::drive(LiveDrive drive) {
   const double now = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
   const State::Lock lock(state.mutex);
   state.drive = std::move(drive);
-  state.drive_told_at = now;
+  state.drive_received_at = now;
   state.drive_refused = false;
   state.wake.notify_all();
 }

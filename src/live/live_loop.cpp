@@ -121,13 +121,13 @@ void LiveLoop::pause(bool on) {
     state.anchor = State::Clock::now();
   }
   state.paused = on;
-  state.steps = on && state.run->made_in_all() == 0 ? 1 : 0;  // A change shows, paused or not.
+  state.steps = on && state.run->made_in_all() == 0 ? 1 : 0;  // Shows the change even while paused.
   state.wake.notify_all();
 }
 
 void LiveLoop::step() {
   State& state = *state_;
-  constexpr int kMost = 100;  // Steps that wait to be made.
+  constexpr int kMost = 100;  // Largest number of pending steps.
   const State::Lock lock(state.mutex);
   state.steps = std::min(state.steps + 1, kMost);
   state.wake.notify_all();
@@ -153,7 +153,7 @@ void LiveLoop::fly(const LiveVelocity& velocity) {
   bool takes_helm = false;
   {
     const State::Lock lock(state.mutex);
-    (void)state.run->fly_until(state.time_now(), state.velocity);  // With the velocity until now.
+    (void)state.run->fly_until(state.time_now(), state.velocity);  // With the old velocity.
     state.velocity = velocity;
     takes_helm = state.run->start().follows && !is_still(velocity) && !state.taking_helm;
     state.taking_helm = state.taking_helm || takes_helm;

@@ -1,4 +1,4 @@
-// live_objects.cpp -- takes objects into the simulator, and out of it, between two pings.
+// live_objects.cpp -- adds objects to the simulator and removes them, between two pings.
 
 #include "live/live_objects.h"
 
@@ -15,8 +15,8 @@
 namespace insonify {
 namespace {
 
-// Adds objects together, or where that fails one by one, so that only those that cannot be added are left out.
-// @return  Names of those left out, with the reasons told to the log.
+// Adds objects together, or if that fails one by one, so that only those that cannot be added are skipped.
+// @return  Names of the skipped ones; the reasons go to the log.
 std::set<std::string> add(const LiveObjectList& objects, const Scenario& scenario, Simulator& simulator,
                           const Log& log) {
   try {
@@ -30,7 +30,7 @@ std::set<std::string> add(const LiveObjectList& objects, const Scenario& scenari
   } catch (const Error& error) {
     if (objects.size() == 1) {
       const std::string& name = objects.front().instance.name;
-      log(Severity::kWarning, fmt::format("{} is left out: {}", printable(name), error.what()));
+      log(Severity::kWarning, fmt::format("{} is skipped: {}", printable(name), error.what()));
       return {name};
     }
   }
@@ -58,7 +58,7 @@ bool has_live_object(const LiveObjectList& list, std::string_view name) {
   return std::ranges::any_of(list, [&](const LiveObject& object) { return object.instance.name == name; });
 }
 
-// Makes the simulator have the objects that there are now.
+// Updates the simulator to the current objects.
 void LiveLoop::State::take_objects(Lock& lock) {
   objects_changed = false;
   const LiveObjectList gone = live_objects_only_in(simulated_objects, objects);
@@ -96,7 +96,7 @@ void LiveLoop::State::take_objects(Lock& lock) {
     simulated_names.insert(object.instance.name);
   }
   if (!records) {
-    tell_world(lock);
+    announce_world(lock);
     return;
   }
   const LiveStart start = start_after(LiveWay::kGoesOn, {}, scenario, standing());
@@ -121,7 +121,7 @@ void LiveLoop::change_objects(LiveObjects change) {
       throw Error(fmt::format("an object to be added has no {}", instance.name.empty() ? "name" : "mesh"));
     }
     if (has_live_object(objects, instance.name)) {
-      throw Error(fmt::format("an object {} is there already; remove it first, or choose another name", instance.name));
+      throw Error(fmt::format("an object {} exists already; remove it first, or choose another name", instance.name));
     }
     objects.push_back({state.next_object++, std::move(instance)});
   }

@@ -10,7 +10,7 @@
 
 namespace insonify {
 
-/// One instance, without materials. Another one of the same name has another serial number.
+/// One instance, without materials. A later one of the same name has another serial number.
 struct LiveObject {
   std::uint64_t serial = 0;
   Instance instance;
@@ -19,7 +19,7 @@ struct LiveObject {
 /// In the order in which they were added.
 using LiveObjectList = std::vector<LiveObject>;
 
-/// Those of `list` that `other` does not have.
+/// Objects of `list` that are not in `other`.
 [[nodiscard]] LiveObjectList live_objects_only_in(const LiveObjectList& list, const LiveObjectList& other);
 
 [[nodiscard]] bool has_live_object(const LiveObjectList& list, std::string_view name);

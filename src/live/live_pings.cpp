@@ -32,7 +32,7 @@ std::vector<MovedInstance> moved_instances(Simulator& simulator, const PingReque
 
 }  // namespace
 
-// When the next pings are to be made.
+// Due time of the next pings.
 Clock::time_point LiveLoop::State::next_due() const {
   Clock::time_point due = anchor + clock_time((run->next_time() - anchor_time) / speed);
   if (options.rate_limit) {
@@ -43,7 +43,7 @@ Clock::time_point LiveLoop::State::next_due() const {
   return due;
 }
 
-// Pings that come late are not caught up with: time then passes more slowly.
+// Does not catch up after late pings: time slows down instead.
 void LiveLoop::State::keep_pace(Clock::time_point due, double time, std::span<const int> sonars) {
   constexpr std::chrono::milliseconds kLate{20};
   const Clock::time_point now = Clock::now();
@@ -54,7 +54,7 @@ void LiveLoop::State::keep_pace(Clock::time_point due, double time, std::span<co
   }
 }
 
-// The time of the run that the clock says, at most that of the next pings.
+// Run time by the clock, at most that of the next pings.
 double LiveLoop::State::time_now() const {
   const double since = std::chrono::duration<double>(Clock::now() - anchor).count();
   return paused ? anchor_time : std::min(run->next_time(), anchor_time + std::max(0.0, since) * speed);
@@ -66,11 +66,11 @@ void LiveLoop::State::begin_run(LiveStart start, Lock& lock) {
   anchor = Clock::now();
   clock_anchor = clock.value_or(0);
   last_pings.assign(scenario.sonars.size(), Clock::time_point{});
-  tell_world(lock);
+  announce_world(lock);
 }
 
-// Makes the world of pings from now on, and tells the listener.
-void LiveLoop::State::tell_world(Lock& lock) {
+// Makes the world for the following pings and announces it to the listener.
+void LiveLoop::State::announce_world(Lock& lock) {
   auto next_world = std::make_shared<LiveWorld>();
   next_world->change = world ? world->change + 1 : 0;
   next_world->scenario = scenario_from(scenario, run->start());
@@ -80,13 +80,13 @@ void LiveLoop::State::tell_world(Lock& lock) {
     next_world->sonars.push_back(next_world->scenario.filled_in(sonar));
   }
   world = next_world;
-  steps = 1;  // A change shows at once, paused or not.
+  steps = 1;  // Shows the change even while paused.
   lock.unlock();
   listener->on_world(next_world);
   lock.lock();
 }
 
-// What was prepared takes place.
+// Applies the prepared change.
 void LiveLoop::State::take_place(Lock& lock) {
   LivePrepared next = std::move(*prepared);
   const std::vector<LiveChange> changes = std::move(*being_prepared);
@@ -118,7 +118,7 @@ void LiveLoop::State::take_place(Lock& lock) {
       simulator = std::move(next.simulator);
       simulator->stop_when(&ending);
       simulated_objects = std::move(next.objects);
-      objects_changed = true;  // Perhaps, since it was prepared.
+      objects_changed = true;  // They may have changed since the preparation.
     }
     for (std::size_t i = 0; i < next.sonars.size(); ++i) {
       simulator->set_sonar(static_cast<int>(i), std::move(next.sonars[i]));
@@ -149,7 +149,7 @@ void LiveLoop::State::take_place(Lock& lock) {
   lock.lock();
 }
 
-// Makes the pings of all sonars that are next. They count once all are made.
+// Makes the next pings of all sonars due. They count once all are made.
 void LiveLoop::State::make_next(Lock& lock) {
   const Clock::time_point due = paused ? Clock::now() : next_due();
   std::string obstacle;
@@ -180,7 +180,7 @@ void LiveLoop::State::make_next(Lock& lock) {
       }
     }
   }
-  const double stamp = drive ? drive->stamp : 0, told_at = drive_told_at, clock_now = clock.value_or(0);
+  const double stamp = drive ? drive->stamp : 0, received_at = drive_received_at, clock_now = clock.value_or(0);
   keep_clock();
   keep_pace(due, time, sonars);
   const std::shared_ptr<const LiveWorld> of_world = world;
@@ -205,7 +205,7 @@ void LiveLoop::State::make_next(Lock& lock) {
       ping->computing_time = std::chrono::duration<double>(Clock::now() - start).count();
       ping->made_at = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
       ping->stamp = stamp;
-      ping->told_at = told_at;
+      ping->received_at = received_at;
       ping->clock = clock_now;
       listener->on_ping(ping);
       for (const std::string& text : solids.entered(*simulator, sonars[i], requests[i])) {

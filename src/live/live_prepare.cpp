@@ -1,4 +1,4 @@
-// live_prepare.cpp -- the thread that prepares changes while pings of the state before go on.
+// live_prepare.cpp -- the thread that prepares changes while pings of the old state continue.
 
 #include <algorithm>
 
@@ -40,8 +40,8 @@ void LiveLoop::State::request(LiveChange change) {
   answer({std::move(change)}, "the simulation ends");
 }
 
-// Prepares changes together; where that fails, one by one, so that those that can be done are done. The start of a
-// recording is always a change of its own: there can be one recording, and what else was asked for does not depend on
+// Prepares changes together; if that fails, one by one, so that valid ones are applied. The start of a
+// recording is always a change of its own: there can be one recording, and other requests do not depend on
 // it.
 void LiveLoop::State::prepare_batch(std::vector<LiveChange> batch, Lock& lock) {
   if (batch.size() > 1 &&
@@ -86,7 +86,7 @@ void LiveLoop::State::prepare_batch(std::vector<LiveChange> batch, Lock& lock) {
 }
 
 void LiveLoop::State::prepare_changes() {
-  const InterruptionScope scope(ending);  // What is being prepared at the end is given up.
+  const InterruptionScope scope(ending);  // Aborts a preparation when the loop ends.
   Lock lock(mutex);
   while (true) {
     changed.wait(lock, [this] { return ending || !wishes.empty(); });

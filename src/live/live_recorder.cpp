@@ -16,12 +16,12 @@
 namespace insonify {
 namespace {
 
-// PATH with something put before its ending.
+// A path with a suffix before its extension.
 std::filesystem::path with_suffix(const std::filesystem::path& path, const std::string& suffix) {
   return path.parent_path() / (path.stem().string() + suffix + path.extension().string());
 }
 
-// Puts a text in the place of what was there, or leaves that.
+// Replaces a file by a text, or leaves it unchanged on failure.
 void write_text(const std::filesystem::path& path, const std::string& text) {
   UnfinishedFile file(path, "cannot be written");
   if (!write_at(file.descriptor(), 0, std::as_bytes(std::span(text)))) {
@@ -56,7 +56,7 @@ LiveRecorder::LiveRecorder(const std::filesystem::path& path, int part, const Li
   paths_ = live_recording_files(base, world.sonars);
   for (const std::filesystem::path& file : paths_) {
     if (!replace && std::filesystem::exists(file)) {
-      throw Error(fmt::format("{} is there already", file.string()));
+      throw Error(fmt::format("{} exists already", file.string()));
     }
   }
   scenario_path_ = paths_.back();
@@ -65,7 +65,7 @@ LiveRecorder::LiveRecorder(const std::filesystem::path& path, int part, const Li
   try {
     begin(world, replace, messages, log);
   } catch (const Error&) {
-    remove();  // Files of the sonars before.
+    remove();  // Files of the preceding sonars.
     throw;
   }
 }
@@ -89,7 +89,7 @@ void LiveRecorder::begin(const LiveWorld& world, bool replace, const MessageOpti
 
 void LiveRecorder::add(const LivePing& ping) {
   const auto sonar = static_cast<std::size_t>(ping.sonar);
-  whole_ = false;  // Unless it is written.
+  whole_ = false;  // Until it is written.
   if (mcap_) {
     mcap_->add(sonar, ping.ping);
   } else {
@@ -108,7 +108,7 @@ std::vector<std::filesystem::path> LiveRecorder::places() const {
   return places;
 }
 
-// Removes files without a ping. Those that they were to replace stay.
+// Removes files without a ping. Files that they were to replace stay.
 void LiveRecorder::remove() {
   std::vector<std::filesystem::path> gone = places();
   gone.push_back(unfinished_path_);
@@ -121,7 +121,7 @@ void LiveRecorder::remove() {
   pings_ = 0;
 }
 
-// Counts the pings that the files hold, where not all were written.
+// Counts the pings in the files if not all were written.
 void LiveRecorder::count_what_is_there() {
   pings_ = 0;
   for (const std::filesystem::path& place : places()) {
@@ -130,7 +130,7 @@ void LiveRecorder::count_what_is_there() {
         pings_ += sonar.pings;
       }
     } catch (const Error&) {
-      continue;  // Not even its head was written.
+      continue;  // Without a complete header.
     }
   }
 }
@@ -141,7 +141,7 @@ bool LiveRecorder::scenario_is_due() const {
 
 void LiveRecorder::write_scenario(const LiveRun& run) {
   constexpr std::chrono::seconds kBetween(2);
-  constexpr int kShare = 50;  // Long paths take long: at most that part of the time goes into writing them.
+  constexpr int kShare = 50;  // Long paths take long to write: at most 1/kShare of the time is spent on it.
   const Clock::time_point start = Clock::now();
   try {
     std::filesystem::path path = scenario_path_;
@@ -152,7 +152,7 @@ void LiveRecorder::write_scenario(const LiveRun& run) {
       write_text(path, to_yaml(run.saved()));
       unfinished_path_ = path;
     }
-  } catch (const Error&) {  // close() tells.
+  } catch (const Error&) {  // close() reports it.
   }
   const Clock::duration taken = Clock::now() - start;
   scenario_due_ = Clock::now() + std::max<Clock::duration>(kBetween, kShare * taken);

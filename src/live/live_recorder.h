@@ -14,35 +14,35 @@
 
 namespace insonify {
 
-/// The recordings of one run: HDF5, one file a sonar, or MCAP, one file for all, by the ending of the name.
+/// The recordings of one run: HDF5, one file per sonar, or MCAP, one file for all, by the extension of the name.
 class LiveRecorder {
  public:
-  /// @param part  From 0; counted into the names from 1 on: out.h5, out-2.h5.
-  /// @param replace  Whether files that are there already are replaced when the recording is closed.
-  /// @param messages  How an MCAP recording tells pings.
-  /// @param log       Is told by close() of values that an MCAP recording has cut.
-  /// @throws Error where a file is there already or cannot be made, and for a name of another ending.
+  /// @param part  From 0; appears in names from 1 on: out.h5, out-2.h5.
+  /// @param replace  Whether existing files are replaced when the recording is closed.
+  /// @param messages  For the messages of an MCAP recording.
+  /// @param log       Gets from close() a warning of values clipped in an MCAP recording.
+  /// @throws Error if a file exists already or cannot be made, and for any other extension.
   LiveRecorder(const std::filesystem::path& path, int part, const LiveWorld& world, bool replace,
                const MessageOptions& messages, const Log& log);
 
   /// @throws Error when the disk is full.
   void add(const LivePing& ping);
 
-  /// Whether write_scenario() should be called: after the first ping, and every some seconds.
+  /// Whether write_scenario() is due: after the first ping, then every few seconds.
   [[nodiscard]] bool scenario_is_due() const;
-  /// Writes the scenario of the run so far, for the case that close() is never called. Beside an earlier recording that
-  /// is to be replaced, under a name of its own. What fails here fails again in close(), which says so.
+  /// Writes the scenario of the run so far, in case close() is never called; under a different name if an earlier
+  /// recording is to be replaced. Failures are ignored: close() fails too and reports them.
   void write_scenario(const LiveRun& run);
 
-  /// Closes the files and writes the scenario of the run beside them, also where a file could not be closed whole;
-  /// removes them where they hold no ping.
-  /// @throws Error when the system could not.
+  /// Closes the files and writes the scenario of the run beside them, even if a file could not be closed completely;
+  /// removes files without pings.
+  /// @throws Error for a failure of the system.
   void close(const LiveRun& run);
 
   [[nodiscard]] std::uint64_t pings() const { return pings_; }
-  /// What it is, once closed.
+  /// The finished recording, once closed.
   [[nodiscard]] LiveRecording recording() const;
-  /// Names of the files, with commas between.
+  /// Names of the files, separated by commas.
   [[nodiscard]] std::string names() const;
 
  private:
@@ -55,12 +55,12 @@ class LiveRecorder {
 
   std::vector<std::filesystem::path> paths_;
   std::filesystem::path scenario_path_;
-  std::vector<Recording> recordings_;  // One recording a sonar; empty with `mcap_`.
+  std::vector<Recording> recordings_;  // One per sonar; empty with `mcap_`.
   std::optional<McapRecording> mcap_;
   std::uint64_t pings_ = 0;
-  bool scenario_is_earlier_ = false;       // Whether another scenario has the name that is to be replaced at the end.
+  bool scenario_is_earlier_ = false;       // Whether an existing scenario is to be replaced at the end.
   bool whole_ = true;                      // Whether all pings were written.
-  std::filesystem::path unfinished_path_;  // The scenario that write_scenario() has written; empty before.
+  std::filesystem::path unfinished_path_;  // Written by write_scenario(); empty before.
   Clock::time_point scenario_due_ = Clock::time_point::min();
 };
 

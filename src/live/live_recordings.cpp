@@ -1,4 +1,4 @@
-// live_recordings.cpp -- ends recordings of a live loop: when they are stopped, and where they cannot go on.
+// live_recordings.cpp -- ends recordings of a live loop: on request, or when they cannot continue.
 
 #include <fmt/format.h>
 
@@ -29,7 +29,7 @@ void LiveLoop::State::end_recording(Lock& lock) {
   recording_error = error.empty() ? recording_error : "the recording: " + error;
 }
 
-// Ends a recording that cannot go on, with what it holds.
+// Ends a recording that cannot continue, keeping its pings.
 void LiveLoop::State::fail_recording(const std::string& error, Lock& lock) {
   recording_error = "the recording ended early: " + error;
   const std::unique_ptr<LiveRecorder> ended = std::exchange(recorder, nullptr);
@@ -67,7 +67,7 @@ void LiveLoop::State::answer_stop_recording(Lock& lock) {
   lock.lock();
 }
 
-// Goes on with a recording after a change, in a further file.
+// Continues a recording in another file after a change.
 void LiveLoop::State::begin_next_recording(Lock& lock) {
   try {
     recorder = std::make_unique<LiveRecorder>(recording_path, ++recording_part, *world, recording_replaces,

@@ -1,4 +1,4 @@
-// live_run.cpp -- schedules pings, extends the flown path, and writes both into a scenario.
+// live_run.cpp -- schedules pings, extends the flown path and writes both into a scenario.
 
 #include "live/live_run.h"
 
@@ -14,8 +14,8 @@
 namespace insonify {
 namespace {
 
-// Pings of two sonars within this ratio are at the same time: their periods are rounded. Scenario::ping_count() allows
-// for less.
+// Pings of two sonars closer than this ratio count as simultaneous, since periods are rounded. Scenario::ping_count()
+// tolerates less.
 constexpr double kSameTime = 1 + 1e-8;
 
 }  // namespace
@@ -91,7 +91,7 @@ std::string LiveRun::fly_to_next(const LiveVelocity& velocity) {
   return fly_until(reach, velocity);
 }
 
-// Up to a microsecond after the pings, so that what the path has after it changes nothing before it.
+// Up to a microsecond after the pings, so that later waypoints do not change the path before.
 std::string LiveRun::drive_to_next(const Pose& world_from_vehicle) {
   constexpr double kMicroseconds = 1e6;
   const double time = std::ceil(next_time() * kMicroseconds) / kMicroseconds;

@@ -1,5 +1,5 @@
-// live_run.h -- the pings between two changes: which is next, where the vehicle is then, and the scenario that repeats
-// them.
+// live_run.h -- a run of pings between two changes: its schedule, the vehicle's path and the scenario that repeats
+// it.
 
 #pragma once
 
@@ -11,36 +11,36 @@
 
 namespace insonify {
 
-/// Where a run begins.
+/// Start of a run.
 struct LiveStart {
-  bool follows = true;      ///< The scenario's trajectory.
-  Pose world_from_vehicle;  ///< Where it is not followed.
+  bool follows = true;      ///< Whether the vehicle follows the scenario's trajectory.
+  Pose world_from_vehicle;  ///< Used if not.
   double time = 0;          ///< Time on the scenario's trajectory at time 0 of the run [s].
 };
 
-/// The scenario of a run: its trajectory begins at `start`. Where objects move by themselves, theirs and the vehicle's
-/// begin at time 0 again, as they are told from their poses at time 0.
+/// The scenario of a run: its trajectory begins at `start`. If objects move by themselves, their trajectories and the
+/// vehicle's restart at time 0, since they are relative to the poses at time 0.
 [[nodiscard]] Scenario scenario_from(Scenario scenario, const LiveStart& start);
 
-/// Pings from 0 on, in the order of time.
+/// Pings from 0 on, in order of time.
 class LiveRun {
  public:
-  /// @param scenario  Of scenario_from().
+  /// @param scenario  From scenario_from().
   LiveRun(Scenario scenario, const LiveStart& start);
 
   /// Time of the next pings [s].
   [[nodiscard]] double next_time() const;
-  /// Sonars that ping next: those whose pings are at the same time but for rounding.
+  /// Sonars that ping next, at the same time up to rounding.
   [[nodiscard]] std::vector<int> next_sonars() const;
 
-  /// Extends the flown path to a time [s] with the velocities of now.
-  /// @return  "" or why the vehicle cannot go on; it then stays where it is.
+  /// Extends the flown path to a time [s] at constant velocity.
+  /// @return  "", or why the vehicle cannot continue; it then stays in place.
   std::string fly_until(double time, const LiveVelocity& velocity);
-  /// Extends it as far as the next pings reach.
+  /// Extends it to the end of the next pings.
   std::string fly_to_next(const LiveVelocity& velocity);
 
-  /// Ends the path at the next pings, with a pose that another program tells.
-  /// @return  "" or why the vehicle cannot be there.
+  /// Ends the path at the next pings, with a pose from another program.
+  /// @return  "", or why the vehicle cannot be there.
   std::string drive_to_next(const Pose& world_from_vehicle);
 
   /// The next ping of a sonar. The path must reach it.
@@ -48,11 +48,11 @@ class LiveRun {
   /// Counts the next ping of a sonar as made.
   void made(int sonar) { ++numbers_[static_cast<std::size_t>(sonar)]; }
 
-  /// Where the vehicle is at the next pings, as far as the path is known.
+  /// Pose of the vehicle at the next pings, as far as the path is known.
   [[nodiscard]] Pose next_pose() const;
   [[nodiscard]] std::uint64_t made_in_all() const;
 
-  /// The scenario that makes the pings made, and no others.
+  /// The scenario that makes exactly the pings made so far.
   /// @throws Error for a path of more than kLongestLivePath waypoints.
   [[nodiscard]] Scenario saved() const;
 

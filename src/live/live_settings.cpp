@@ -1,4 +1,4 @@
-// live_settings.cpp -- applies changes to a scenario's text, and compares scenarios.
+// live_settings.cpp -- applies changes to a scenario's text and compares scenarios.
 
 #include "live/live_settings.h"
 

@@ -18,7 +18,7 @@
 
 namespace insonify {
 
-/// Two threads: one makes pings, the other prepares changes. `mutex` guards all members but those marked otherwise.
+/// Two threads: one makes pings, the other prepares changes. `mutex` guards all members unless marked otherwise.
 struct LiveLoop::State {
   using Clock = std::chrono::steady_clock;
 
@@ -33,43 +33,43 @@ struct LiveLoop::State {
   std::condition_variable changed;  // Wakes the thread that prepares changes.
   std::atomic<bool> ending = false;
 
-  // Wishes.
+  // Requests.
   bool paused = false;
-  int steps = 0;  // Still to be made while paused.
+  int steps = 0;  // Pending while paused.
   double speed = 1;
   LiveVelocity velocity;
   std::optional<LiveDrive> drive;  // The newest.
-  double drive_told_at = 0;        // Unix time [s].
-  bool drive_refused = false;      // Whether no ping can be made from there.
+  double drive_received_at = 0;    // Unix time [s].
+  bool drive_refused = false;      // Whether no ping can be made from its pose.
   std::optional<double> clock;     // With LiveOptions::clocked: the newest time [s].
-  LiveObjectList objects;          // That change_objects() has added and not removed.
+  LiveObjectList objects;          // Added by change_objects() and not removed.
   std::uint64_t next_object = 0;   // Serial number.
-  bool objects_changed = false;    // Since the simulator had them.
-  std::vector<LiveChange> wishes;  // To be prepared.
+  bool objects_changed = false;    // Whether the simulator does not have them yet.
+  std::vector<LiveChange> wishes;  // To prepare.
   std::optional<std::vector<LiveChange>> being_prepared;
-  std::optional<LivePrepared> prepared;  // To take place between two pings.
+  std::optional<LivePrepared> prepared;  // To apply between two pings.
   bool preparing_now = false;
-  bool taking_helm = false;          // Whether a wish to steer is on its way.
-  std::vector<Done> stop_recording;  // To be answered when the recording has ended.
+  bool taking_helm = false;          // Whether a request to steer is pending.
+  std::vector<Done> stop_recording;  // To answer when the recording has ended.
 
-  // What is simulated.
+  // The simulation.
   LiveSettings settings;
   Scenario scenario;  // With its own trajectory.
   std::optional<LiveRun> run;
   std::shared_ptr<const LiveWorld> world;
-  bool driving = false;  // Whether the run begins where drive() has had the vehicle.
+  bool driving = false;  // Whether the run starts at a pose from drive().
   std::uint64_t pings_made = 0;
   std::string recording_names;
   std::uint64_t recorded_pings = 0;
-  std::string recording_error;  // Why a recording is not whole, kept until the end.
+  std::string recording_error;  // Why a recording is incomplete, kept until the end.
 
-  // Pace: that time of the run is at that time of the clock.
+  // Pace: a time of the run and the corresponding time of the clock.
   double anchor_time = 0;
   Clock::time_point anchor = Clock::now();
   double clock_anchor = 0;                    // The same by the clock of LiveOptions::clocked [s].
-  std::vector<Clock::time_point> last_pings;  // When each sonar pinged last, for the limit of the rate.
+  std::vector<Clock::time_point> last_pings;  // Time of each sonar's last ping, for the rate limit.
 
-  // Used by the thread that makes pings alone.
+  // Used only by the thread that makes pings.
   std::unique_ptr<Simulator> simulator;
   LiveObjectList simulated_objects;       // In it ...
   std::set<std::string> simulated_names;  // ... and their names.
@@ -81,17 +81,17 @@ struct LiveLoop::State {
   SolidsWatch solids;
   std::string closing_error;
 
-  LiveBuilder builder;  // Used by the thread that prepares changes alone.
+  LiveBuilder builder;  // Used only by the thread that prepares changes.
   std::thread pinging, preparing;
 
   using Lock = std::unique_lock<std::mutex>;
 
-  // live_drive.cpp: what other programs tell.
+  // live_drive.cpp: poses and times from other programs.
   [[nodiscard]] bool waits_for_others() const;
   [[nodiscard]] bool drive_to_next(Lock& lock);
   void keep_clock();
 
-  // live_objects.cpp: objects that come and go.
+  // live_objects.cpp: added and removed objects.
   void take_objects(Lock& lock);
 
   // live_pings.cpp: the thread that makes pings.
@@ -99,7 +99,7 @@ struct LiveLoop::State {
   void make_next(Lock& lock);
   void take_place(Lock& lock);
   void begin_run(LiveStart start, Lock& lock);
-  void tell_world(Lock& lock);
+  void announce_world(Lock& lock);
   void begin_next_recording(Lock& lock);
   void end_recording(Lock& lock);
   void fail_recording(const std::string& error, Lock& lock);

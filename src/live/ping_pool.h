@@ -1,4 +1,4 @@
-// ping_pool.h -- pool of pings, which reuses the memory of released ones.
+// ping_pool.h -- a pool of pings that reuses the memory of released ones.
 
 #pragma once
 
@@ -10,10 +10,10 @@
 
 namespace insonify {
 
-/// May be asked by one thread while others let go of what it gave. Pings may outlive it.
+/// One thread may request pings while others release them. Pings may outlive the pool.
 class PingPool {
  public:
-  /// A ping of which nobody else knows, with the tables of an earlier one or new.
+  /// An unshared ping, new or with the tables of a released one.
   [[nodiscard]] std::shared_ptr<LivePing> take();
 
  private:

@@ -1,4 +1,4 @@
-// solids_watch.cpp -- compares the objects around a sonar with those of a second ago.
+// solids_watch.cpp -- compares the objects around a sonar with those of the last check.
 
 #include "live/solids_watch.h"
 
@@ -19,7 +19,7 @@ std::vector<std::string> SolidsWatch::entered(Simulator& simulator, int sonar, c
   for (const int inside : scene.solids_around(simulator.world_from_head(sonar, request).position)) {
     seen.inside.insert(inside);
     if (known == seen_.end() || !known->second.inside.contains(inside)) {
-      texts.push_back(fmt::format("{} is inside of {}, whose surface it hears from within", simulator.sonar(sonar).name,
+      texts.push_back(fmt::format("{} is inside of {}, and receives its inner surface", simulator.sonar(sonar).name,
                                   scene.instances[static_cast<std::size_t>(inside)].name));
     }
   }

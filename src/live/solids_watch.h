@@ -1,4 +1,4 @@
-// solids_watch.h -- tells when a sonar comes to lie inside of an object.
+// solids_watch.h -- detects when a sonar enters an object.
 
 #pragma once
 
@@ -13,13 +13,13 @@
 
 namespace insonify {
 
-/// Looks at most once a second for each sonar, as it goes through all triangles.
+/// Checks each sonar at most once a second, since it visits all triangles.
 class SolidsWatch {
  public:
-  /// @return  A line for each object that the sonar is inside of and was not when it looked last.
+  /// @return  A line for each object that the sonar has entered since the last check.
   [[nodiscard]] std::vector<std::string> entered(Simulator& simulator, int sonar, const PingRequest& request);
 
-  /// Everything is new.
+  /// Forgets all earlier checks.
   void forget() { seen_.clear(); }
 
  private:

@@ -19,7 +19,7 @@ struct PaperReceiverSettings {
 
 /// Receiver of the paper model (docs/concepts/paper-model.md), after Cerqueira et al. (2020), section "Generating the
 /// sonar image on CPU". In each beam and bin, I = min(1, mean S over primary echoes + mean S over secondary echoes). To
-/// this comes noise, I x eta_m + eta_a, drawn anew for each ping, beam and bin; then the sonar's gain and the
+/// this comes noise, I x eta_m + eta_a, independent for each ping, beam and bin; then the sonar's gain and the
 /// near-field ramp; the result is clipped to 0..1.
 class PaperReceiver {
  public:

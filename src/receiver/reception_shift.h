@@ -31,7 +31,7 @@ class ReceptionShift {
   /// @param range_scale  True range / reported range.
   /// @param sound_speed  True sound speed c [m/s].
   /// @param bias         b [s].
-  /// @param has_array    Whether beams hear beside the fan by their side lobes.
+  /// @param has_array    Whether beams receive beside the fan through side lobes.
   ReceptionShift(const SonarConfig& cells, double range_scale, double sound_speed, double bias, bool has_array);
 
   /// Computes sources() for one ping. Allocates at the first only.

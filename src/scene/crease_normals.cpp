@@ -183,7 +183,7 @@ class FanSmoother {
     }
   }
 
-  // Gives each group of triangles (and each winding within it) its own vertex: the first takes the place of the
+  // Gives each group of triangles (and each winding within it) its own vertex: the first replaces the
   // original, the others are appended.
   void assign_vertices(std::span<const std::size_t> corners) {
     const std::uint32_t original = mesh_.triangles[corners[0] / 3][corners[0] % 3];

@@ -96,7 +96,7 @@ double Material::transmission_at(double frequency) const {
   return std::sqrt(transmittance_of(*this, frequency, 1, reflected * reflected));
 }
 
-// Facets of a greater rms slope spread sound by more than 11 degrees: no ghost can be told there. Those of the sea are
+// Facets of a greater rms slope spread sound by more than 11 degrees: no ghost is visible there. Those of the sea are
 // followed whatever their slope, since it reflects all and is above everything.
 constexpr double kSteepestMirror = 0.1;
 

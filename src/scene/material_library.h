@@ -11,8 +11,8 @@ namespace insonify {
 /// Share of the incident energy that Lambert's law leaves for mirror and lobe: 1 - pi mu, at least 0.
 [[nodiscard]] double reflectance_left(double lambert_db);
 
-/// The library's name for another common name of a material ("aluminum"); `name` itself when it is none. Takes and
-/// gives canonical names (canonical_name.h).
+/// The library's name for another common name of a material ("aluminum"), or `name` itself. Takes and
+/// returns canonical names (canonical_name.h).
 [[nodiscard]] const std::string& resolve_alias(const std::string& name);
 
 /// Every name that find_material() knows, aliases included.

@@ -25,7 +25,7 @@ void check_names(const Scene& objects, const Scene& scene) {
     const auto has_its_name = [&](const Instance& other) { return other.present && other.name == instance.name; };
     if (std::ranges::any_of(scene.instances, has_its_name) ||
         std::ranges::count_if(objects.instances, has_its_name) > 1) {
-      throw Error(fmt::format("an object {} is there already; remove it first, or choose another name", instance.name));
+      throw Error(fmt::format("an object {} exists already; remove it first, or choose another name", instance.name));
     }
   }
 }

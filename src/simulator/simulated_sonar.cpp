@@ -154,7 +154,7 @@ void SimulatedSonar::check(const PingRequest& request, bool moves) const {
   if (const double speed = request.twist.linear.norm(); moves && speed > kMost) {
     throw Error(fmt::format("twist.linear comes to {:.4g} m/s; with motion_in_ping at most {} m/s", speed, kMost));
   }
-  // Motion is taken from the poses at the start and the end, which do not tell a turn from one the other way round.
+  // Motion follows from the poses at start and end, which do not distinguish a turn from one the other way round.
   constexpr double kHalfTurn = std::numbers::pi * (1 + 1e-9);
   const double turned = request.twist.angular.norm() * listening_time();
   if (moves && turned > kHalfTurn) {

@@ -85,7 +85,7 @@ std::vector<std::uint8_t> oculus_image(const OculusPlan& plan, const Ping* ping,
   std::vector<std::uint8_t> image;
   image.reserve(static_cast<std::size_t>(plan.rows) * (row_size + sizeof(std::uint32_t)));
   for (int row = 0; row < plan.rows; ++row) {
-    // Pixels have the gain that the word tells, rounding included.
+    // Pixels have the gain of the word, rounding included.
     const std::uint32_t word = gain_word(gain_db + range_gain_db(levels, (row + 0.5) * plan.row_length));
     if (plan.fire.has(kOculusGainSent)) {
       put(image, word);

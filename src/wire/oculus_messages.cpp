@@ -188,7 +188,7 @@ Bytes encode(const OculusPing& ping) {
   put(bytes, ping.sound_speed);
   if (second) {
     put(bytes, ping.start_time);
-  } else {  // Microseconds, which begin anew after 2^32.
+  } else {  // Microseconds, which wrap after 2^32.
     put(bytes, static_cast<std::uint32_t>(static_cast<std::uint64_t>(ping.start_time * kMicroseconds)));
   }
   put(bytes, static_cast<std::uint8_t>(ping.fire.has(kOculus16Bits) ? 1 : 0));
@@ -214,7 +214,7 @@ Bytes encode(const OculusStatus& status) {
   put(bytes, kImagingSonar);
   put(bytes, status.part_number);
   put(bytes, kRunning);
-  put_all(bytes, std::array<std::uint32_t, 6>{});  // Versions and dates of the firmware: there is none.
+  put_all(bytes, std::array<std::uint32_t, 6>{});  // Versions and dates of the firmware: none.
   put_all(bytes, status.address);
   put_all(bytes, status.mask);
   put_all(bytes, status.client);

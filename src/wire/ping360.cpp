@@ -138,7 +138,7 @@ Ping360Answer Ping360::requested(std::uint16_t id) const {
       return {.frames = {frame(id, {1, 0, 0, 0})}};
     case kDeviceId:
       return {.frames = {frame(id, {device_, 0})}};
-    case kDeviceData: {  // Also while another client's scan goes on: drivers ask for it first of all.
+    case kDeviceData: {  // Also during another client's scan: drivers request it first.
       Ping360 still = *this;
       still.stop();
       return {.frames = {still.data({})}};
@@ -263,7 +263,7 @@ Ping360Answer Ping360::take(const PingFrame& frame) {
       return frame.payload.empty() ? requested(frame.id) : refused(frame.id, wrong_length(frame, 0));
     case kAck:
     case kNack:
-      return {};  // An answer is not answered: two instruments on one line would go on for ever.
+      return {};  // Answers are not answered: two instruments on one line would never stop.
     default:
       return refused(frame.id, "unknown message");
   }

@@ -50,7 +50,7 @@ std::optional<PingEvent> PingParser::damaged(std::uint16_t id, std::string_view 
 }
 
 std::optional<PingEvent> PingParser::next() {
-  // Skips what is no beginning of a frame.
+  // Skips bytes that are not the start of a frame.
   while (first_ < bytes_.size() &&
          !(bytes_[first_] == 'B' && (first_ + 1 == bytes_.size() || bytes_[first_ + 1] == 'R'))) {
     if (bytes_[first_++] == 'U') {
@@ -93,7 +93,7 @@ std::optional<PingEvent> PingParser::last() {
     if (rest.empty()) {
       return {};
     }
-    ++first_;  // A header that is not whole does not even tell its id.
+    ++first_;  // An incomplete header does not even have its id.
   }
 }
 

@@ -184,7 +184,7 @@ TEST_F(CliStopTest, ARunWhoseFolderIsRemovedFails) {
     EXPECT_EQ(outcome.status, 1);
     EXPECT_EQ(
         outcome.err,
-        "insonify: out/ahead.h5: is no longer there: it was removed, moved or replaced while it was being written\n");
+        "insonify: out/ahead.h5: no longer exists: it was removed, moved or replaced while it was being written\n");
   }
 }
 

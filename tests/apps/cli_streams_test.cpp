@@ -83,7 +83,7 @@ TEST_F(CliStreamsTest, APictureLeavesAFolderOfItsNameAlone) {
   const Outcome outcome = shell("insonify run fan.yaml -q -o out --no-view");
   EXPECT_EQ(outcome.status, 1);
   EXPECT_EQ(outcome.err,
-            "insonify: out/ahead_fan_0001.png: cannot write the picture: it is there and is no regular file\n");
+            "insonify: out/ahead_fan_0001.png: cannot write the picture: it exists and is not a regular file\n");
   EXPECT_THAT(files("out/ahead_fan_0001.png"), ElementsAre("mine"));
 }
 

@@ -47,10 +47,10 @@ TEST_F(CliTest, RunWritesRecordingAndPictures) {
   EXPECT_THAT(outcome.out,
               ContainsRegex("world: 1 object of 2 triangles, 40 x 40 x 0 m \\(x -20 to 20, y -20 to 20, z -2 to -2\\), "
                             "ready in [0-9.]+ s\n"));
-  EXPECT_THAT(
-      outcome.out,
-      ContainsRegex("ahead: 3 pings of 16 beams x 40 bins to 12 m; its first hears 1 of 1 object, from [0-9.]+ to "
-                    "[0-9.]+ m\n  out/deep/ahead.h5\n"));
+  EXPECT_THAT(outcome.out,
+              ContainsRegex(
+                  "ahead: 3 pings of 16 beams x 40 bins to 12 m; first ping: echoes of 1 of 1 object, from [0-9.]+ to "
+                  "[0-9.]+ m\n  out/deep/ahead.h5\n"));
   EXPECT_THAT(outcome.out,
               ContainsRegex("3 pings in [0-9.]+ s: [0-9.]+ pings/s to compute, [0-9.]+ pings/s with files"));
 }
@@ -60,7 +60,8 @@ TEST_F(CliTest, RunOfAScanningSonarDrawsItsTurnAsItGoesOn) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(files("out"), ElementsAre("around.h5", "around_polar.png", "around_scan.png", "around_scan_0004.png",
                                         "around_scan_0009.png", "around_scan_0014.png"));
-  EXPECT_THAT(outcome.out, HasSubstr("around: 20 pings of 1 beam x 40 bins to 12 m; its first hears 1 of 1 object"));
+  EXPECT_THAT(outcome.out,
+              HasSubstr("around: 20 pings of 1 beam x 40 bins to 12 m; first ping: echoes of 1 of 1 object"));
 }
 
 TEST_F(CliTest, RunLastsAsLongAsItsSettingsSay) {
@@ -118,12 +119,12 @@ TEST_F(CliTest, ARunReplacesNothingUnlessItIsForcedTo) {
   const Outcome outcome = shell("insonify run fan.yaml -o out --seed 2");
   EXPECT_EQ(outcome.status, 2);
   EXPECT_EQ(outcome.err,
-            "insonify: out/ahead.h5 is there already, with 7 more of an earlier run: --force replaces them, -o DIR "
+            "insonify: out/ahead.h5 exists already, with 7 more of an earlier run: --force replaces them, -o DIR "
             "writes to another folder\n");
   EXPECT_EQ(shell("diff -r out before").status, 0);
   ASSERT_EQ(shell("rm out/*.png").status, 0);
   EXPECT_EQ(shell("insonify run fan.yaml -o out --seed 2").err,
-            "insonify: out/ahead.h5 is there already: --force replaces it, -o DIR writes to another folder\n");
+            "insonify: out/ahead.h5 exists already: --force replaces it, -o DIR writes to another folder\n");
   ASSERT_EQ(
       shell("insonify run fan.yaml -o out -q --seed 2 --force && insonify run fan.yaml -o other -q --seed 2").status,
       0);
@@ -176,7 +177,7 @@ TEST_F(CliTest, OptionsAndSettingsOverrideTheScenario) {
       "--set max_range=6 --set sonars[0].name=short");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out,
-              HasSubstr("short: 2 pings of 16 beams x 40 bins to 6 m; its first hears 1 of 1 object, from "));
+              HasSubstr("short: 2 pings of 16 beams x 40 bins to 6 m; first ping: echoes of 1 of 1 object, from "));
 }
 
 TEST_F(CliTest, TheSameSeedGivesTheSameFile) {

@@ -103,7 +103,7 @@ TEST_F(CompareTest, TheTableTellsValuesMeaningsAndControls) {
   EXPECT_THAT(table, ContainsRegex("\nmse +0.0007[0-9]* +0.999[0-9]* +0 +mean squared difference\n"));
   EXPECT_THAT(table, ContainsRegex("\nssim +0.976[0-9]* +0.976[0-9]* +1 +local structure\n"));
   EXPECT_THAT(table, ContainsRegex("\ncorrelation +1 +1 +rise and fall together\n"));
-  EXPECT_THAT(table, HasSubstr("\nWhat pictures made of a.png alone score, which know nothing of the scene:\n"));
+  EXPECT_THAT(table, HasSubstr("\nScores of controls made from a.png, without content of the scene:\n"));
   EXPECT_THAT(table, ContainsRegex("\nflat grey +0.0185[0-9]* +1[0-9.]+ .* its mean everywhere\n"));
   EXPECT_THAT(table, ContainsRegex("\npixel shuffle .* 0 \\* +its pixels in random order\n"));
   EXPECT_THAT(table, HasSubstr("\n* no worse than b.png: this number by itself says nothing for it.\n"));
@@ -306,8 +306,8 @@ constexpr Refusal kRefusals[] = {
      "--ping: -1 must be a whole number, from 0 to 18446744073709551615 (insonify compare --help)"},
     {"OtherSonar", "a.h5 a.h5 --sonar down", "a.h5: has no sonar down; its sonar is fls"},
     {"NoSonarChosen", "two two", "two: there are recordings of ahead, down; choose one with --sonar"},
-    {"NoSuchSonar", "two two --sonar up", "two: there is no recording of up, only of ahead, down"},
-    {"EmptyFolder", "no two", "no: there is no recording (.h5, .mcap) in this folder"},
+    {"NoSuchSonar", "two two --sonar up", "two: there is not a recording of up, only of ahead, down"},
+    {"EmptyFolder", "no two", "no: there is not a recording (.h5, .mcap) in this folder"},
     {"EndlessFullScale", "a.h5 a.h5 --full-scale inf",
      "--full-scale: inf must be a number, greater than 0, at most 1e+30 (insonify compare --help)"},
 };

@@ -30,7 +30,7 @@ TEST_F(CliTest, DrawTakesThePingsThatAreNamed) {
   EXPECT_EQ(outcome.out,
             "run/ahead_polar_0001.png\nrun/ahead_fan_0001.png\nrun/ahead_polar_0003.png\nrun/ahead_fan_0003.png\n");
   EXPECT_EQ(shell("insonify draw run/ahead.h5 --ping 1").err,
-            "insonify: run/ahead_fan_0001.png is there already, with 3 more of an earlier run: --force replaces them, "
+            "insonify: run/ahead_fan_0001.png exists already, with 3 more of an earlier run: --force replaces them, "
             "-o DIR writes to another folder\n");
   EXPECT_EQ(shell("insonify draw run/ahead.h5 --ping 0 --force").status, 0);
   EXPECT_THAT(files("run"), ElementsAre("ahead.h5", "ahead_fan_0000.png", "ahead_polar_0000.png"));

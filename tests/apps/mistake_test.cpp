@@ -91,7 +91,7 @@ constexpr Mistake kMistakes[] = {
     {"UnknownLikeness", "insonify run likeness.yaml -q --set materials.post.like=stele", 2,
      "insonify: --set materials.post.like=stele: materials.post.like = stele is not a known material; did you mean "
      "steel?"},
-    {"EndlessStream", "insonify run /dev/zero -q", 2, "insonify: /dev/zero: is no file and does not end"},
+    {"EndlessStream", "insonify run /dev/zero -q", 2, "insonify: /dev/zero: is not a regular file and does not end"},
     {"EmptyStream", "insonify run /dev/null -q", 2, "insonify: /dev/null: the file is empty"},
     {"FolderThatIsAFile", "insonify run fan.yaml -q -o taken", 1,
      "insonify: taken: cannot make this folder: Not a directory"},

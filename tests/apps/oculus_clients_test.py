@@ -95,9 +95,9 @@ class OculusClientsTest(OculusCase):
         ping = client.ping()
         self.assertEqual((ping.reach, ping.mode, ping.gain), (5, 1, 50))
         _, out, err, _ = sonar.end()
-        told = [line.removeprefix("insonify: warning: not obeyed, from ").split(": ", 1)[1] for line in err.splitlines()]
+        told = [line.removeprefix("insonify: warning: ignored, from ").split(": ", 1)[1] for line in err.splitlines()]
         # The stream may deliver the last in pieces, each told by itself.
-        pieces = [int(line.split()[0]) for line in told if line.endswith(" bytes that are no message")]
+        pieces = [int(line.split()[0]) for line in told if line.endswith(" bytes that are not a message")]
         told = told[:len(told) - len(pieces)]
         self.assertEqual(sum(pieces), 45)
         self.assertEqual(told, [
@@ -168,7 +168,7 @@ class OculusClientsTest(OculusCase):
                  "--high head: is scanning (type: msis); emulate oculus needs one that is forward-looking (type: fls)"),
                 (["--high", "x"], "--high x: dive.yaml has no such sonar; it has head, fls, fine"),
                 (["--address", "::1"],
-                 "--address ::1 must be one IPv4 address: the sonar tells it in its status messages")):
+                 "--address ::1 must be one IPv4 address: the sonar sends it in its status messages")):
             done = subprocess.run([INSONIFY, "emulate", "oculus", "dive.yaml", "--port", "0", *options],
                                   cwd=sonar.path, capture_output=True, text=True, timeout=20, check=False)
             self.assertEqual((done.returncode, done.stderr), (2, f"insonify: {message_text}\n"))

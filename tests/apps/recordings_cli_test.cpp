@@ -56,7 +56,7 @@ TEST_F(RecordingsCliTest, RecordingsOfAWorldInPartsKeepTheirSettingsAndAreReplay
   const std::string pool = " --set world=pool.sdf --set 'ignore=[box_*]' --no-pictures ";
   const Outcome run = shell("insonify run fan.yaml -o out -q --record h5,mcap" + pool);
   EXPECT_EQ(run.status, 0);
-  EXPECT_THAT(run.err, HasSubstr("pool.sdf: 1 part of the world is left out (an error with strict: true): "));
+  EXPECT_THAT(run.err, HasSubstr("pool.sdf: 1 part of the world is skipped (an error with strict: true): "));
   EXPECT_THAT(run.err, Not(HasSubstr("ignore")));
   const std::string left_out =
       R"(/usr/bin/python3 -c 'import h5py; print(h5py.File("out/ahead.h5")["settings/ignore"][()])')";
@@ -88,7 +88,7 @@ TEST_F(RecordingsCliTest, AnEarlierMcapIsReplacedOnlyWithForce) {
   const Outcome refused = shell("insonify run fan.yaml -o out -q --no-pictures --record mcap");
   EXPECT_EQ(refused.status, 2);
   EXPECT_EQ(refused.err,
-            "insonify: out/ahead.mcap is there already: --force replaces it, -o DIR writes to another folder\n");
+            "insonify: out/ahead.mcap exists already: --force replaces it, -o DIR writes to another folder\n");
   EXPECT_EQ(shell("insonify run fan.yaml -o out -q --no-pictures --record mcap --force").status, 0);
   EXPECT_EQ(info("out/ahead.mcap").at("sonars").at(0).at("pings"), 3);
   EXPECT_THAT(files("out"), ElementsAre("ahead.mcap"));
@@ -144,10 +144,10 @@ TEST_F(RecordingsCliTest, InfoRefusesWhatIsNoRecording) {
   folder.write("notes.txt", "nothing");
   const Outcome outcome = shell("insonify info notes.txt");
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("insonify: notes.txt: is no recording: it is neither HDF5 nor MCAP"));
+  EXPECT_THAT(outcome.err, HasSubstr("insonify: notes.txt: is not a recording: it is neither HDF5 nor MCAP"));
   folder.write("dive.bag", "#ROSBAG V2.0\n");
   EXPECT_EQ(shell("insonify info dive.bag").err,
-            "insonify: dive.bag: is no recording: it is a bag of ROS, which insonify writes and does not read\n");
+            "insonify: dive.bag: is not a recording: it is a bag of ROS, which insonify writes and does not read\n");
 }
 
 TEST_F(RecordingsCliTest, InfoGoesOnAfterAFileThatIsNoRecording) {
@@ -225,7 +225,7 @@ TEST_F(RecordingsCliTest, AVideoThatFindsTheDiskFullSaysSo) {
 }
 
 TEST_F(RecordingsCliTest, ValuesThatAreCutAreTold) {
-  const char* const cut = " of ahead are above the highest level, -150 dB, and are cut there; the loudest has -";
+  const char* const cut = " of ahead are above the highest level, -150 dB, and are clipped; the loudest has -";
   const Outcome run = shell("insonify run fan.yaml -o out -q --no-pictures --record h5,mcap --levels=-200:-150");
   EXPECT_EQ(run.status, 0);
   EXPECT_THAT(run.err, HasSubstr("insonify: warning: out/ahead.mcap: "));

@@ -241,7 +241,7 @@ class Starting(unittest.TestCase):
                                 ((fls, fls, "--view"), "both of a sonar called fls"),
                                 ((fls, "other/head.h5", "--view"), "of different runs: their scenarios differ"),
                                 ((fls, "--view", "--sonar", "sas"), "there is no sonar sas"),
-                                (("live.yaml", "--view"), "is no recording"),
+                                (("live.yaml", "--view"), "is not a recording"),
                                 (("gone.h5", "--view"), "no such file"),
                                 ((fls, "--view", "--speed", "0"), "--speed"),
                                 ((fls, "--view", "--folder", "nowhere"), "nowhere")):

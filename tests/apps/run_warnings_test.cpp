@@ -15,7 +15,7 @@ TEST_F(CliTest, RunTellsWhatIsOddAboutTheWorldAndTheTrajectory) {
                "<sdf version='1.9'><model name='crate'><link name='l'><visual name='sides'><geometry><box><size>2 2 "
                "2</size></box></geometry></visual></link></model></sdf>");
   EXPECT_THAT(shell("insonify run fan.yaml --no-pictures -o a --set world=inside.sdf").err,
-              HasSubstr("warning: ahead begins inside of crate::l::sides, whose surface it hears from within\n"));
+              HasSubstr("warning: ahead begins inside of crate::l::sides, and receives its inner surface\n"));
   EXPECT_EQ(shell("insonify run fan.yaml --no-pictures -o b --set position=[0,0,1]").err, "");
   const std::string into = "--set 'trajectory=[{time: 0, position: [-9,0,0]}, {time: 30, position: [-6,0,0]}]'";
   // The sonar never reaches a crate that moves away as fast; it passes the side of one that lies at -7 to -5 after 20
@@ -26,13 +26,12 @@ TEST_F(CliTest, RunTellsWhatIsOddAboutTheWorldAndTheTrajectory) {
                     into)
                   .err,
               "");
-  EXPECT_THAT(
-      shell("insonify run fan.yaml --no-pictures -o g --pings 31 --set ping_period=1 --set world=inside.sdf "
-            "--set 'motions=[{object: crate, trajectory: [{time: 0, position: [0,0,0]}, {time: 0.5, position: "
-            "[-6,0,0]}]}]' --set max_range=20 --set orientation_deg=[0,0,0] " +
-            into)
-          .err,
-      HasSubstr("warning: ahead is at ping 21 inside of crate::l::sides, whose surface it hears from within\n"));
+  EXPECT_THAT(shell("insonify run fan.yaml --no-pictures -o g --pings 31 --set ping_period=1 --set world=inside.sdf "
+                    "--set 'motions=[{object: crate, trajectory: [{time: 0, position: [0,0,0]}, {time: 0.5, position: "
+                    "[-6,0,0]}]}]' --set max_range=20 --set orientation_deg=[0,0,0] " +
+                    into)
+                  .err,
+              HasSubstr("warning: ahead is at ping 21 inside of crate::l::sides, and receives its inner surface\n"));
   folder.write("millimetres.obj",
                "v -20000 -20000 -2000\nv 20000 -20000 -2000\nv 20000 20000 -2000\nv -20000 20000 -2000\nf 1 2 3 4\n");
   EXPECT_THAT(shell("insonify run fan.yaml --no-pictures -o c --set world=millimetres.obj").err,
@@ -167,10 +166,10 @@ TEST_F(CliTest, DepthBesideASurfaceAndSourcesAboveItAreToldOf) {
             "that below surface.level\n");
   EXPECT_EQ(told("--set 'points=[{position: [4, 0, 4]}, {position: [4, 0, 6]}, {position: [4, 0, 7]}]'"),
             "insonify: warning: --set points=[{position: [4, 0, 4]}, {position: [4, 0, 6]}, {position: [4, 0, 7]}]: "
-            "points[1].position[2] = 6 m is above surface.level = 5 m, so that it is not heard, nor 1 other\n");
+            "points[1].position[2] = 6 m is above surface.level = 5 m, so that it is not received, nor 1 other\n");
   EXPECT_EQ(told("--set 'interferers=[{position: [4, 0, 6]}]'"),
             "insonify: warning: --set interferers=[{position: [4, 0, 6]}]: interferers[0].position[2] = 6 m is above "
-            "surface.level = 5 m, so that it is not heard\n");
+            "surface.level = 5 m, so that it is not received\n");
 }
 
 TEST_F(CliTest, APulseThatOutlastsItsPingIsToldOf) {
@@ -226,23 +225,24 @@ TEST_F(CliTest, KeysOfAnInstrumentsPulseThatDoNotActAreToldOf) {
 TEST_F(CliTest, SilenceIsToldWithWhereTheWorldIs) {
   const Outcome outcome = shell("insonify run fan.yaml -o out -q --no-pictures --set orientation_deg=[0,-90,0]");
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_EQ(outcome.err,
-            "insonify: warning: nothing was heard in any ping of ahead: the world reaches from (-20, -20, -2) to (20, "
-            "20, -2) m, the sonar was at (0, 0, 0) m at first, looking along (0, 0, 1), and hears from 0.2 to 12 m\n");
+  EXPECT_EQ(
+      outcome.err,
+      "insonify: warning: nothing was received in any ping of ahead: the world reaches from (-20, -20, -2) to (20, "
+      "20, -2) m, the sonar was at (0, 0, 0) m at first, looking along (0, 0, 1), and receives from 0.2 to 12 m\n");
 }
 
 TEST_F(CliTest, SilenceOfMissingBeamsAndDeadBinsIsToldWithTheirKeys) {
   const auto told = [](const std::string& settings) {
     const std::string text = shell("insonify run fan.yaml --force -o out -q --no-pictures " + settings).err;
-    return text.substr(std::min(text.find("and hears"), text.size()));
+    return text.substr(std::min(text.find("and receives"), text.size()));
   };
-  EXPECT_EQ(told("--set dead_range=12"), "and hears from 12 to 12 m; dead_range = 12 m leaves it no bin\n");
+  EXPECT_EQ(told("--set dead_range=12"), "and receives from 12 to 12 m; dead_range = 12 m leaves it no bin\n");
   EXPECT_EQ(told("--set dead_range=9 --set azimuth_aperture_deg=20 --set elevation_aperture_deg=4"),
-            "and hears from 9 to 12 m (dead_range)\n");
+            "and receives from 9 to 12 m (dead_range)\n");
   EXPECT_EQ(told("--set missing_beams=[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,15]"),
-            "and hears from 0.2 to 12 m; all of its 16 beams are missing (missing_beams)\n");
+            "and receives from 0.2 to 12 m; all of its 16 beams are missing (missing_beams)\n");
   EXPECT_EQ(told("--set missing_beams=[3,7] --set orientation_deg=[0,-90,0]"),
-            "and hears from 0.2 to 12 m; 2 of its 16 beams are missing (missing_beams)\n");
+            "and receives from 0.2 to 12 m; 2 of its 16 beams are missing (missing_beams)\n");
 }
 
 TEST_F(CliTest, EchoesOfPointsAreNoSilence) {

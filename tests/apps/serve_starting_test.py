@@ -43,7 +43,7 @@ class Starting(unittest.TestCase):
         self.assertEqual(self.refused("x.yaml", "--address", "12.0.0", "--token", "t"),
                          (2, "insonify: --address 12.0.0 must be an IP address, such as 127.0.0.1 or ::1, or localhost\n"))
         self.assertEqual(self.refused("x.yaml", "--address", "0.0.0.0"),
-                         (2, "insonify: --address 0.0.0.0 can be reached by others: it needs a --token, which they must tell\n"))
+                         (2, "insonify: --address 0.0.0.0 can be reached by others: it needs a --token, which clients must send\n"))
         status, err = self.refused("/nowhere/x.yaml", "--port", "0")
         self.assertEqual((status, err), (2, "insonify: /nowhere/x.yaml: no such file\n"))
 
@@ -103,7 +103,7 @@ class Starting(unittest.TestCase):
         server = self.served()
         self.assertEqual(Socket(server.port).request("/access")[0], 200)
         status, _, body = Socket(server.port).request("/access", headers=["Origin: http://evil.example"])
-        self.assertEqual((status, body), (403, b"pages of another origin must be named by --allow-origin, or tell a token\n"))
+        self.assertEqual((status, body), (403, b"pages of another origin must be named by --allow-origin, or send a token\n"))
 
     def test_origins_can_be_allowed(self):
         server = self.served("--allow-origin", "https://app.example")
@@ -145,7 +145,7 @@ class Starting(unittest.TestCase):
             page.ping()
         page.say(op="record", on=False)
         told = page.text("note")["text"]
-        cut = (r"warning: dive(_2)?\.mcap: \d+ of \d+ values of fls are above the highest level, -150 dB, and are cut there; "
+        cut = (r"warning: dive(_2)?\.mcap: \d+ of \d+ values of fls are above the highest level, -150 dB, and are clipped; "
                r"the loudest has -[\d.]+ dB")
         self.assertRegex(told, f"^{cut}$")
         page.say(op="record", on=True, format="mcap")  # A second one, which Ctrl-C ends.
@@ -234,12 +234,12 @@ sonars: [{name: head, type: msis, beam_count: 1, azimuth_aperture_deg: 4, step_d
         run = subprocess.run([INSONIFY, "serve", "live.yaml", "--port", "0", "--record", "dive.mcap"], cwd=server.path,
                              text=True, capture_output=True, timeout=20, check=False)
         self.assertEqual((run.returncode, run.stdout, run.stderr),
-                         (2, "", "insonify: --record dive.mcap: dive.mcap is there already; --force replaces it, or give another name\n"))
+                         (2, "", "insonify: --record dive.mcap: dive.mcap exists already; --force replaces it, or give another name\n"))
         (server.path / "dive.mcap").unlink()
         run = subprocess.run([INSONIFY, "serve", "live.yaml", "--port", "0", "--record", "dive.mcap"], cwd=server.path,
                              text=True, capture_output=True, timeout=20, check=False)
         self.assertEqual((run.returncode, run.stdout, run.stderr),
-                         (2, "", "insonify: --record dive.mcap: dive.yaml is there already, where the scenario that repeats the "
+                         (2, "", "insonify: --record dive.mcap: dive.yaml exists already, where the scenario that repeats the "
                                  "recording is to be written; --force replaces it, or give another name\n"))
 
     def test_a_recording_is_told_to_the_pages_when_it_ends(self):

@@ -144,12 +144,12 @@ class Serving(unittest.TestCase):
                 self.assertEqual(page.text("error"), {"op": "error", "text": text, "of": op})
 
     def test_malformed_messages_end_the_connection_with_a_reason(self):
-        for data, reason in (("{", "the message is no JSON object"), ("[]", "the message is no JSON object"),
+        for data, reason in (("{", "the message is not a JSON object"), ("[]", "the message is not a JSON object"),
                              ("{}", "a message of this op must have \"op\""),
-                             ('{"op": "dance"}', "dance: there is no such op"),
+                             ('{"op": "dance"}', "dance: unknown op"),
                              ('{"op": "pause", "on": 1}', "pause: \"on\" must be true or false"),
                              ('{"op": "fly", "linear": [1, 2], "angular": [0, 0, 0]}', "fly: \"linear\" must be a list of 3 numbers"),
-                             ("[" * 100000, "the message is no JSON object")):
+                             ("[" * 100000, "the message is not a JSON object")):
             with self.subTest(data[:20]):
                 page = self.page()
                 page.send_frame(data)

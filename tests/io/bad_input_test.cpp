@@ -107,7 +107,7 @@ const BadScenario kCases[] = {
     {"WrongValueWithoutAWorld", "sonars:\n  - max_range: -3\n",
      "scenario.yaml:2:5: sonars[0].max_range = -3 m must be greater than 0, at most 100000 m"},
     {"WorldIsNotThere", "world: wreck.sdf\nsonars: [{name: fls}]\n",
-     "scenario.yaml:1:1: world = \"wreck.sdf\" is not there: no file FOLDER/wreck.sdf"},
+     "scenario.yaml:1:1: world = \"wreck.sdf\" does not exist: no file FOLDER/wreck.sdf"},
     {"WorldWithoutAName", "world:\nsonars: [{name: fls}]\n",
      "scenario.yaml:1:1: world has no value; it must be a file"},
     {"WorldIsEmptyText", "world: \"\"\nsonars: [{name: fls}]\n", "scenario.yaml:1:1: world = \"\" must be a file"},
@@ -180,7 +180,7 @@ const BadScenario kCases[] = {
      {"sonars.fls.min_range=60"}},
     {"SettingOfAWorldThatIsNotThere",
      kGoodScenario,
-     "--set world=wreck.sdf: world = \"wreck.sdf\" is not there: no file FOLDER/wreck.sdf",
+     "--set world=wreck.sdf: world = \"wreck.sdf\" does not exist: no file FOLDER/wreck.sdf",
      {"world=wreck.sdf"}},
 };
 

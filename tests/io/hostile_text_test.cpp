@@ -147,7 +147,7 @@ const HostileCase kCases[] = {
     {"AscKey", "a.asc", "TEXT 3\n",
      "a.asc:1: \"{TEXT}\" is neither a number nor a key of an ESRI ASCII grid; keys: ncols, nrows, xllcorner, "
      "xllcenter, yllcorner, yllcenter, cellsize, dx, dy, nodata_value"},
-    {"AscHeight", "a.asc", "ncols 2\nnrows 2\ncellsize 1\n1 2 TEXT 4\n", "a.asc:4: \"{TEXT}\" is no number"},
+    {"AscHeight", "a.asc", "ncols 2\nnrows 2\ncellsize 1\n1 2 TEXT 4\n", "a.asc:4: \"{TEXT}\" is not a number"},
 };
 
 INSTANTIATE_TEST_SUITE_P(All, HostileTextTest, testing::ValuesIn(kCases),

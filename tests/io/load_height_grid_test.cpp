@@ -204,8 +204,8 @@ TEST(AscGridErrorTest, TellsTheLineAndTheReason) {
     std::string message;  // After the path.
   };
   const std::vector<BadFile> files{
-      {"ncols 2\nnrows 2\ncellsize 1\n1 2\n3 x4\n", ":5: \"x4\" is no number"},
-      {"ncols 2\nnrows 2\ncellsize 1\n1 2\n3,5 4\n", ":5: \"3,5\" is no number"},
+      {"ncols 2\nnrows 2\ncellsize 1\n1 2\n3 x4\n", ":5: \"x4\" is not a number"},
+      {"ncols 2\nnrows 2\ncellsize 1\n1 2\n3,5 4\n", ":5: \"3,5\" is not a number"},
       {"ncols 2\nnrows 2\ncellsize 1\n1 2\n3 -inf\n", ":5: height -inf must be finite"},
       {"ncols 2\nnrows 2\ncellsize 1\n1 2\n3\n\n", ":5: the file ends after 3 heights; ncols x nrows = 2 x 2 needs 4"},
       {"ncols 2\nnrows 2\ncellsize 1\n1 2\n3 4\n5\n", ":6: more heights than ncols x nrows = 2 x 2 = 4"},
@@ -246,7 +246,7 @@ TEST(LoadHeightGridErrorTest, TellsWhatIsNoHeightGrid) {
   const ScratchFolder folder;
   const std::filesystem::path path = folder.write("seabed.grd", "x");
   EXPECT_EQ(message_of([&] { (void)load_height_grid(path); }),
-            path.string() + ": \".grd\" is no known ending of a height grid; known: .png, .asc, .bag");
+            path.string() + ": \".grd\" is not a known extension of a height grid; known: .png, .asc, .bag");
   EXPECT_EQ(message_of([&] { (void)load_height_grid("/nowhere/seabed.bag"); }), "/nowhere/seabed.bag: no such file");
 }
 

@@ -19,8 +19,8 @@ struct BadFile {
 TEST(LoadMeshErrorTest, TellsThePathAndTheReason) {
   const std::string known = "; known: .obj, .stl, .dae, .ply, .gltf, .glb";
   const std::vector<BadFile> files{
-      {"a.fbx", "x", ": \".fbx\" is no known ending of a mesh file" + known},
-      {"a", "x", ": \"\" is no known ending of a mesh file" + known},
+      {"a.fbx", "x", ": \".fbx\" is not a known extension of a mesh file" + known},
+      {"a", "x", ": \"\" is not a known extension of a mesh file" + known},
       {"a.obj", "", ": the file is empty"},
       {"a.obj", "# only a comment\n", ": no triangles"},
       {"a.obj", "v 0 0 0\nv 1 0 0\nl 1 2\np 1\n", ": no triangles, only 2 lines or points"},
@@ -76,7 +76,7 @@ TEST(LoadMeshErrorTest, TellsTheLineOfAnObj) {
       {"A word for a texture's index", triangle + "f 1/a 2 3\n", ":5: f 1/a 2 3: 1/a is not a number of a vertex"},
       {"Zero", triangle + "f 1 2 0\n", ":5: f 1 2 0: there is no vertex 0, they count from 1"},
       {"Beyond the last", triangle + "f 1 2 3\nf 1//1 2 4\n", ":6: f 1//1 2 4: there is no vertex 4, the file has 3"},
-      {"Before the first", start + "f 1 2 -3\nv 0 1 0\n", ":4: f 1 2 -3: there is no vertex -3, 2 stand before this"},
+      {"Before the first", start + "f 1 2 -3\nv 0 1 0\n", ":4: f 1 2 -3: there is no vertex -3, 2 precede this"},
       {"Beyond all integers", triangle + "f 1 2 99999999999999999999\n",
        ":5: f 1 2 99999999999999999999: there is no vertex 99999999999999999999, the file has 3"},
   };

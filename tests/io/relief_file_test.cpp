@@ -80,9 +80,8 @@ TEST(MeshReliefTest, GreyBumpMapsAreHeights) {
   folder.write("a.mtl", "newmtl stone\nmap_bump bumps.png\n");
   const Loaded unknown = load("a.obj");
   EXPECT_EQ(relief_of(unknown.mesh), nullptr);
-  EXPECT_THAT(unknown.notes,
-              ElementsAre("warning: a.obj: left out the small normals of material stone: bumps.png: is a "
-                          "height map, but the material does not say how high (bump -bm METRES)"));
+  EXPECT_THAT(unknown.notes, ElementsAre("warning: a.obj: skipped the small normals of material stone: bumps.png: is a "
+                                         "height map, but the material does not say how high (bump -bm METRES)"));
 }
 
 TEST(MeshReliefTest, WhatCannotBeReadIsToldAndLeftOut) {
@@ -90,15 +89,15 @@ TEST(MeshReliefTest, WhatCannotBeReadIsToldAndLeftOut) {
   folder.write("sub/a.obj", obj("a.mtl"));
   folder.write("sub/a.mtl", "newmtl stone\nnorm gone.png\n");
   EXPECT_THAT(load("sub/a.obj").notes,
-              ElementsAre("warning: a.obj: left out the small normals of material stone: sub/gone.png: no such file"));
+              ElementsAre("warning: a.obj: skipped the small normals of material stone: sub/gone.png: no such file"));
   folder.write("sub/stone.jpg", "\xff\xd8\xff\xe0 no picture");
   folder.write("sub/a.mtl", "newmtl stone\nnorm stone.jpg\n");
-  EXPECT_THAT(load("sub/a.obj").notes, ElementsAre("warning: a.obj: left out the small normals of material stone: "
+  EXPECT_THAT(load("sub/a.obj").notes, ElementsAre("warning: a.obj: skipped the small normals of material stone: "
                                                    "sub/stone.jpg: cannot be read: Not a PNG file"));
   write_levels<std::uint8_t>("sub/red.png", 1, 1, {255, 0, 0}, 3);
   folder.write("sub/a.mtl", "newmtl stone\nnorm red.png\n");
   EXPECT_THAT(load("sub/a.obj").notes,
-              ElementsAre("warning: a.obj: left out the small normals of material stone: sub/red.png: is no normal map "
+              ElementsAre("warning: a.obj: skipped the small normals of material stone: sub/red.png: is no normal map "
                           "in tangent space: its mean normal is (1.00, -1.01, -1.01), must point out of the surface, "
                           "(0, 0, 1) or nearly"));
 }

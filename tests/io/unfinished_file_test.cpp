@@ -1,4 +1,4 @@
-// unfinished_file_test.cpp -- a file is created anew, whatever exists beside it, and moved into place complete or not
+// unfinished_file_test.cpp -- a file is newly created, whatever exists beside it, and moved into place complete or not
 // at all.
 
 #include "io/file/unfinished_file.h"
@@ -63,7 +63,7 @@ TEST(UnfinishedFileTest, SaysWhyThereCanBeNone) {
   EXPECT_EQ(message_of([] { UnfinishedFile("nowhere/a", "cannot create"); }),
             "nowhere/a: cannot create: No such file or directory");
   EXPECT_EQ(message_of([] { UnfinishedFile("b", "cannot create"); }),
-            "b: cannot create: it is there and is no regular file");
+            "b: cannot create: it exists and is not a regular file");
 }
 
 }  // namespace

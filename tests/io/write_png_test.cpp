@@ -40,10 +40,10 @@ TEST(WritePngTest, SaysWhichFileCannotBeWrittenAndWhy) {
             "/no/such/folder/a.png: cannot write the picture: No such file or directory");
   const WorkingFolder folder;
   EXPECT_EQ(message_of([&] { write_png(folder.path(), gradient(2, 2)); }),
-            folder.path().string() + ": cannot write the picture: it is there and is no regular file");
+            folder.path().string() + ": cannot write the picture: it exists and is not a regular file");
   EXPECT_TRUE(std::filesystem::is_directory(folder.path()));
   EXPECT_EQ(message_of([] { write_png("/dev/full", gradient(2, 2)); }),
-            "/dev/full: cannot write the picture: it is there and is no regular file");
+            "/dev/full: cannot write the picture: it exists and is not a regular file");
 }
 
 // A limit on the size of files stands in for a full disk.

@@ -49,8 +49,8 @@ TEST(XmlFileTest, TellsWhatIsBrokenAndWhere) {
   EXPECT_EQ(fault_of("<a>\n<b>\n</a>"), "a.sdf:3:3: " + mismatch);
   EXPECT_EQ(fault_of("<a>\n<b>\n</b>"), "a.sdf:3:4: " + mismatch);
   EXPECT_EQ(fault_of("<a/>\n</b>"), "a.sdf:2:3: " + mismatch);
-  EXPECT_EQ(fault_of("<a/>\n<b/>"), "a.sdf:2:1: <b> stands behind the end of <a>");
-  EXPECT_EQ(fault_of("<a/><b\u202e/>"), "a.sdf:1:5: <b\\u202e> stands behind the end of <a>");
+  EXPECT_EQ(fault_of("<a/>\n<b/>"), "a.sdf:2:1: <b> follows the end of <a>");
+  EXPECT_EQ(fault_of("<a/><b\u202e/>"), "a.sdf:1:5: <b\\u202e> follows the end of <a>");
   EXPECT_EQ(fault_of("<a>\n<!-- "), "a.sdf:2:5: not valid XML: Error parsing comment");
   EXPECT_EQ(fault_of("<a>\n<![CDATA[ ]"), "a.sdf:2:10: not valid XML: Error parsing CDATA section");
   EXPECT_EQ(fault_of("\n<?xml "),

@@ -1,4 +1,4 @@
-// live_drive_test.cpp -- pings of a vehicle that another program moves, at the time that another program tells.
+// live_drive_test.cpp -- pings of a vehicle moved by another program, at another program's time.
 
 #include <gmock/gmock.h>
 
@@ -70,8 +70,8 @@ TEST_F(LiveDriveTest, PingsAreMadeWhereTheVehicleWasToldToBe) {
     EXPECT_NEAR(pings[i].ping.time, kPeriod * index, 1e-9);
     EXPECT_EQ(pings[i].stamp, 70 + index);
     EXPECT_EQ(pings[i].clock, 1000 + kPeriod * index);
-    EXPECT_GE(pings[i].made_at, pings[i].told_at);
-    EXPECT_LT(pings[i].made_at - pings[i].told_at, 10);
+    EXPECT_GE(pings[i].made_at, pings[i].received_at);
+    EXPECT_LT(pings[i].made_at - pings[i].received_at, 10);
     const Pose told = pose_at(0.3 * index, 0.2 * index);
     EXPECT_LT((pings[i].world_from_vehicle.position - told.position).norm(), 2e-5);
     EXPECT_LT(pings[i].world_from_vehicle.orientation.angularDistance(told.orientation), 2e-5);
@@ -103,7 +103,7 @@ TEST_F(LiveDriveTest, AClockThatJumpsMakesNoQueue) {
   loop_->advance(100 + 0.9 * kPeriod);
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
   EXPECT_EQ(keeper_.pings().size(), 2U);
-  loop_->advance(2);  // The other program began anew.
+  loop_->advance(2);  // The other program restarted.
   loop_->advance(2 + 0.9 * kPeriod);
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
   const std::size_t before = keeper_.pings().size();

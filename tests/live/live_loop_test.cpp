@@ -52,8 +52,8 @@ TEST_F(LiveLoopTest, ASonarInsideOfAnObjectIsTold) {
   keeper_.wait_for_notes(2);  // One note of each sonar.
   keeper_.wait_for_pings(20);
   EXPECT_THAT(keeper_.notes(),
-              testing::UnorderedElementsAre("fls is inside of ball::link::ball, whose surface it hears from within",
-                                            "head is inside of ball::link::ball, whose surface it hears from within"));
+              testing::UnorderedElementsAre("fls is inside of ball::link::ball, and receives its inner surface",
+                                            "head is inside of ball::link::ball, and receives its inner surface"));
 }
 
 TEST_F(LiveLoopTest, SettingsAreAllOrNothingWithTheMessagesOfTheCommandLine) {
@@ -72,7 +72,7 @@ TEST_F(LiveLoopTest, SettingsAreAllOrNothingWithTheMessagesOfTheCommandLine) {
   EXPECT_EQ(loop->world()->scenario.seed, 3U) << "settings of before hold on";
 }
 
-// A change of sonars alone, which a simulator takes in; and of the model, for which it is built anew.
+// A change of sonars alone, which a simulator takes in; and of the model, for which it is rebuilt.
 TEST_F(LiveLoopTest, ChangedSettingsMakeThePingsOfAScenarioThatHadThem) {
   const auto loop = started(scenario_text(kTrack));
   for (const std::vector<std::string>& settings :

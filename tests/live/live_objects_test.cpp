@@ -64,7 +64,7 @@ class LiveObjectsTest : public testing::Test {
     return {all.end() - 2, all.end()};
   }
 
-  // A run that begins anew makes its first pings at once.
+  // A run that restarts makes its first pings at once.
   void wait_for_first() { keeper_.wait_for_all(2 * ++times_); }
 
   WorkingFolder folder_;
@@ -204,7 +204,7 @@ TEST_F(LiveObjectsTest, NamesThatDoNotFitAreRefusedWhole) {
   };
   EXPECT_EQ(refusal({.removed = {"a", "z"}}), "there is no object z to remove");
   EXPECT_EQ(refusal({.added = scene_of({sphere("b", 4, false), sphere("a", 4, false)})}),
-            "an object a is there already; remove it first, or choose another name");
+            "an object a exists already; remove it first, or choose another name");
   EXPECT_EQ(refusal({.added = scene_of({sphere("", 4, false)})}), "an object to be added has no name");
   EXPECT_NEAR(loudest(next()[0]), 6.5, 0.2);  // Nothing has changed.
   loop_->end();

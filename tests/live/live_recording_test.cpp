@@ -108,9 +108,9 @@ TEST_F(LiveRecordingTest, RequestsAtOnceBeginOneRecordingAndDoTheOtherChanges) {
 TEST_F(LiveRecordingTest, RecordingsReplaceNothing) {
   const auto loop = started(scenario_text(), {.threads = 2, .paused = true});
   folder_.write("out.yaml", "mine");
-  EXPECT_EQ(answer_to([&](auto done) { loop->record("out.h5", done); }), "out.yaml is there already");
+  EXPECT_EQ(answer_to([&](auto done) { loop->record("out.h5", done); }), "out.yaml exists already");
   folder_.write("other-head.h5", "mine");
-  EXPECT_EQ(answer_to([&](auto done) { loop->record("other.h5", done); }), "other-head.h5 is there already");
+  EXPECT_EQ(answer_to([&](auto done) { loop->record("other.h5", done); }), "other-head.h5 exists already");
   EXPECT_EQ(answer_to([&](auto done) { loop->record("out.png", done); }), "out.png: recordings end in .h5 or .mcap");
   EXPECT_EQ(answer_to([&](auto done) { loop->stop_recording(done); }), "nothing is being recorded");
 }
@@ -139,7 +139,7 @@ TEST_F(LiveRecordingTest, ValuesThatARecordingHasCutAreToldAtItsEnd) {
   EXPECT_EQ(answer_to([&](auto done) { loop->stop_recording(done); }), "");
   ASSERT_EQ(keeper_.notes().size(), 2U);
   EXPECT_THAT(keeper_.notes()[0], testing::StartsWith("warning: out.mcap: "));
-  EXPECT_THAT(keeper_.notes()[0], HasSubstr(" values of fls are above the highest level, -150 dB, and are cut there"));
+  EXPECT_THAT(keeper_.notes()[0], HasSubstr(" values of fls are above the highest level, -150 dB, and are clipped"));
   EXPECT_THAT(keeper_.notes()[1], HasSubstr(" values of head are above the highest level, -150 dB"));
 }
 

@@ -156,7 +156,7 @@ print(len(list(bag.read_messages())), facts.topics["/around/sonar_image"].messag
 test("an export that fails leaves nothing", () => {
   assert.throws(() => run("export", "out/bow-1.h5", "-o", "nowhere/a.bag"), /nowhere/);
   fs.writeFileSync(path.join(folder, "there.bag"), "mine");
-  assert.throws(() => run("export", "out/bow-1.h5", "-o", "there.bag"), /is there already/);
+  assert.throws(() => run("export", "out/bow-1.h5", "-o", "there.bag"), /exists already/);
   assert.equal(fs.readFileSync(path.join(folder, "there.bag"), "utf8"), "mine");
   run("export", "out/bow-1.h5", "-o", "there.bag", "--force");
   assert.ok(fs.statSync(path.join(folder, "there.bag")).size > 10000);

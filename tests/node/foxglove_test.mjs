@@ -182,7 +182,7 @@ try {
   socket.send(JSON.stringify({op: "getParameters", parameterNames: []}));
   await until("two warnings", () => texts.filter(({op}) => op === "status").length === 2);
   socket.send("{}");
-  assert.deepEqual(await closed, [1008, "the message is no JSON object with an op"]);
+  assert.deepEqual(await closed, [1008, "the message is not a JSON object with an op"]);
 } finally {
   server.kill("SIGINT");
   assert.equal(await ended, 0);

@@ -131,7 +131,7 @@ class ExportTest(unittest.TestCase):
     def test_force_replaces_only_what_is_an_export(self):
         self.insonify("export", "out/around.h5", "-o", "again.zarr")
         self.assertEqual(self.insonify("export", "out/around.h5", "-o", "again.zarr", status=2),
-                         "insonify: again.zarr is there already: --force replaces it\n")
+                         "insonify: again.zarr exists already: --force replaces it\n")
         self.insonify("export", "out/around.h5", "-o", "again.zarr", "--force")
         (self.folder / "mine.zarr").mkdir()
         (self.folder / "mine.zarr/letter.txt").write_text("dear")
@@ -153,7 +153,7 @@ class ExportTest(unittest.TestCase):
         ):
             self.assertEqual(self.insonify("export", *words, status=status), f"insonify: {message}\n")
         for words, message in (
-            (["s.yaml", "-o", "x.npz"], "s.yaml: is no recording: it is neither HDF5 nor MCAP"),
+            (["s.yaml", "-o", "x.npz"], "s.yaml: is not a recording: it is neither HDF5 nor MCAP"),
             (["nowhere.h5", "-o", "x.npz"], "nowhere.h5: no such file"),
         ):
             self.assertTrue(self.insonify("export", *words, status=2).startswith(f"insonify: {message}"))

@@ -242,8 +242,8 @@ class McapInputTest(unittest.TestCase):
         self.run_insonify("export", "cut.mcap", "-o", "cut.npz", "--store")
 
     def test_files_of_others_are_refused(self):
-        pathlib.Path("text.mcap").write_text("hello, this is no recording")
-        with self.assertRaisesRegex(insonify.Error, "^text.mcap: is no recording: it is neither HDF5 nor MCAP"):
+        pathlib.Path("text.mcap").write_text("hello, this is not a recording")
+        with self.assertRaisesRegex(insonify.Error, "^text.mcap: is not a recording: it is neither HDF5 nor MCAP"):
             insonify.open("text.mcap")
         other = b"\x89MCAP0\r\n" + b"\x01" + (8).to_bytes(8, "little") + bytes(8)  # A header without texts.
         other += b"\x0f" + (4).to_bytes(8, "little") + bytes(4) + b"\x89MCAP0\r\n"

@@ -183,7 +183,7 @@ class MessageOptionsTest(unittest.TestCase):
             told = subprocess.run([INSONIFY, "export", "out/ahead.h5", "-o", f"told.{ending}", "--levels=-90:-70"],
                                   capture_output=True, text=True, timeout=120, check=True).stderr
             self.assertRegex(told, rf"^insonify: warning: told.{ending}: \d+ of 8640 values of ahead are above the highest level, -70 dB, and "
-                                   r"are cut there; the loudest has -\d+\.\d+ dB; --levels changes that\n$")
+                                   r"are clipped; the loudest has -\d+\.\d+ dB; --levels changes that\n$")
             self.assertEqual(str(caught.warning), told.removeprefix("insonify: warning: ").strip().replace(
                 "told.", "cut.").replace("--levels changes", "levels=(low, high) changes"))
             self.assertEqual(caught.filename, __file__)

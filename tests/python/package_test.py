@@ -150,7 +150,7 @@ class PingTest(unittest.TestCase):
     def test_wrong_arguments_are_told_of(self):
         sim = simulator()
         for arguments, text in (
-                ({"sonar": "astern"}, "sonar = 'astern' is not there; there are ahead"),
+                ({"sonar": "astern"}, "sonar = 'astern' does not exist; available: ahead"),
                 ({"sonar": 4}, "sonar = 4 must be from 0 to 0"),
                 ({"pose": "here"}, "pose = 'here' must be a 4 x 4 matrix"),
                 ({"pose": np.eye(3)}, "must be a 4 x 4 matrix"),
@@ -227,7 +227,7 @@ class PingTest(unittest.TestCase):
             scene.add("bad", FLOOR["vertices"], [[0, 1, 9]])
         with self.assertRaisesRegex(insonify.Error, "whole numbers"):
             scene.add("bad", FLOOR["vertices"], [[0.5, 1, 2]])
-        with self.assertRaisesRegex(insonify.Error, "is there already"):
+        with self.assertRaisesRegex(insonify.Error, "exists already"):
             scene.add("floor", FLOOR["vertices"], FLOOR["faces"])
         with self.assertRaisesRegex(insonify.Error, "no triangles left"):
             scene.add("flat", [[0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1, 2]])

@@ -155,7 +155,7 @@ TEST_P(ChangeSimulatorTest, LabelsKeepTheirMeaning) {
   EXPECT_EQ(simulator.scene().instances[6].name, "ball");
   EXPECT_EQ(simulator.scene().instances[kBall].name, "ball");
   EXPECT_FALSE(simulator.scene().instances[kBall].present);
-  EXPECT_EQ(simulator.scene().materials.size(), small_world().materials.size() + 1) << "the ball's is there already";
+  EXPECT_EQ(simulator.scene().materials.size(), small_world().materials.size() + 1) << "the ball's exists already";
 }
 
 TEST_P(ChangeSimulatorTest, AddedObjectsCanMove) {
@@ -177,7 +177,7 @@ TEST(AddObjectsTest, RefusesNamesThatAreThereAndMaterialsThatAreNot) {
   Simulator simulator(quiet_scenario(small_sonar()), small_world(), 1);
   const Ping before = simulator.ping(0, {});
   EXPECT_EQ(message_of([&] { simulator.add_objects(only(kBall)); }),
-            "an object ball is there already; remove it first, or choose another name");
+            "an object ball exists already; remove it first, or choose another name");
   Scene bare = only(kBall);
   bare.instances[0].name = "buoy";
   bare.instances[0].materials.clear();

@@ -1,6 +1,6 @@
 """Compares how a simulated seabed falls off with the grazing angle with a side-scan sonar's recording.
 
-    sidescan_falloff.py INSONIFY WORK_FOLDER    # exit status 77 where there is no recording
+    sidescan_falloff.py INSONIFY WORK_FOLDER    # exit status 77 where there is not a recording
 
 A Marine Sonic side-scan of 600 kHz (INSONIFY_TEST_DATA/arrays), port side, plain seabed, flown 2.6 to 11.4 m above it.
 Its gain is unknown, and so is its vertical beam pattern. Gain goes with the range alone, and so do spreading and absorption:

@@ -215,7 +215,7 @@ const failed = await runChecks({
         found.fast.push([fast.pingsPerSecond(now), fast.timeFactor(now)]);
       }
       fast.add(5001, { time: 0, change: 2, made_at: 1.7e9 + 5.1 });
-      found.anew = fast.timeFactor(5002);
+      found.restarted = fast.timeFactor(5002);
       const slow = new Rates();
       for (const now of [0, 5000, 10_000]) {
         slow.add(now, { time: now / 500, change: 1 });
@@ -226,7 +226,7 @@ const failed = await runChecks({
     });
     const rounded = seen.fast.map(([rate, pace]) => [rate && Math.round(rate), pace && Math.round(pace * 100) / 100]);
     assert.deepEqual(rounded, [[null, null], [null, 0.8], [37, 0.8], [37, 0.8], [37, 0.8]]);
-    assert.equal(seen.anew, null);
+    assert.equal(seen.restarted, null);
     assert.deepEqual(seen.slow, [[null, null], [0.2, 2], [0.2, 2]]);
     assert.deepEqual(seen.stopped, [0, null]);
   },
@@ -393,7 +393,7 @@ const failed = await runChecks({
     await page.evaluate(() => insonify.store.set({ main: "picture" }));
   },
 
-  async "the waterfall labels ages of rows, also when the time begins anew"() {
+  async "the waterfall labels ages of rows, also when the time restarts"() {
     await until(() => page.evaluate(() => Boolean(insonify.waterfall)), "the waterfall");
     const ages = await page.evaluate(() => {
       const view = insonify.waterfall;

@@ -12,7 +12,7 @@ export class Frames {
   #drawn = new Map();  // when each was drawn last
   #clock;
 
-  /** `clock` = { now(), next(callback) } tells milliseconds and calls back at the next frame of the screen. */
+  /** `clock` = { now(), next(callback) } returns milliseconds and calls back at the next frame of the screen. */
   constructor(clock = { now: () => performance.now(), next: (callback) => requestAnimationFrame(callback) }) {
     this.#clock = clock;
   }

@@ -16,7 +16,7 @@ export class Session {
   #rates = new Rates();
   #scene = null;
 
-  /** `taken(ping)` hears of every ping; `saved(message)` of a saved scenario; `refused(reason)` where a token is wanted. */
+  /** Calls `taken(ping)` for every ping, `saved(message)` for a saved scenario, `refused(reason)` if a token is needed. */
   constructor(store, notes, { taken, saved, changed, refused }) {
     Object.assign(this, { store, notes, taken, saved, changed });
     this.connection = new Connection({
@@ -169,13 +169,13 @@ export class Session {
     const sonar = store.get("sonar");
     if (!sonar || ping.sonar !== sonar.name || ping.beams !== sonar.beams || ping.bins !== sonar.bins) return;
     const path = store.get("path");
-    // A change starts anew: pings count from 0.
+    // A change restarts the run: pings count from 0.
     const last = store.get("ping");
-    const anew = last && (ping.number < last.number || ping.change !== last.change);
-    const again = last && !anew && ping.number === last.number;  // With the tables that were asked for since.
+    const restarted = last && (ping.number < last.number || ping.change !== last.change);
+    const again = last && !restarted && ping.number === last.number;  // With the tables that were asked for since.
     const position = (ping.vehicle ?? ping).position;
     if (!again) this.#rates.add(performance.now(), ping);
-    const patch = { ping, path: again ? path : anew ? [position] : [...path.slice(-kMostPath), position] };
+    const patch = { ping, path: again ? path : restarted ? [position] : [...path.slice(-kMostPath), position] };
     const shown = store.get("shown");
     const completes = (again && shown?.number === ping.number) || (shown && !shown.tables.instance && ping.tables.instance);
     if (store.get("frozen") && !completes) {

@@ -1,4 +1,4 @@
-// dds_configuration.cpp -- reads the environment of ROS 2, and writes the configuration of CycloneDDS.
+// dds_configuration.cpp -- reads ROS 2's environment variables and writes CycloneDDS's configuration.
 
 #include "dds/dds_configuration.h"
 
@@ -15,9 +15,9 @@
 namespace insonify {
 namespace {
 
-constexpr int kHighestDomain = 232;  // The ports of higher ones do not exist.
+constexpr int kHighestDomain = 232;  // Higher domains would need ports above 65535.
 
-// "" where it is not set.
+// "" if it is not set.
 std::string_view environment(const char* name) {
   const char* const value = std::getenv(name);
   return value == nullptr ? std::string_view() : value;
@@ -84,9 +84,9 @@ DdsOptions with_environment(DdsOptions options) {
 }
 
 std::string dds_configuration(const DdsOptions& options) {
-  // Large fragments: with CycloneDDS's own, of 1.3 kB, a reader that lost some asks for each one again, and a message
-  // of 2 MB takes so long to become whole that newer ones push it out of the writer's history. SendPace says why
-  // readers lose fragments at all, docs/how-to/ros2.md what can be done about it on their side.
+  // Large fragments: with CycloneDDS's default of 1.3 kB a reader requests each lost fragment one by one, and a message
+  // of 2 MB takes so long to complete that newer ones push it out of the writer's history. SendPace says why readers
+  // lose fragments, docs/how-to/ros2.md what readers can do about it.
   std::string text =
       "<CycloneDDS><Domain><General><FragmentSize>65000B</FragmentSize><MaxMessageSize>65500B</MaxMessageSize>"
       "</General></Domain></CycloneDDS>";
@@ -103,7 +103,7 @@ std::string dds_configuration(const DdsOptions& options) {
     peers += "<Peer address=\"127.0.0.1\"/>";
   }
   if (!peers.empty()) {
-    // Peers are asked at the ports of so many programs on each.
+    // Number of participants to look for on each peer.
     text += fmt::format(
         ",<CycloneDDS><Domain><Discovery><ParticipantIndex>auto</ParticipantIndex>"
         "<MaxAutoParticipantIndex>32</MaxAutoParticipantIndex><Peers>{}</Peers></Discovery></Domain></CycloneDDS>",

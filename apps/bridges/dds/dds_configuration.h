@@ -1,19 +1,19 @@
-// dds_configuration.h -- what the environment of ROS 2 says, and how CycloneDDS is configured.
+// dds_configuration.h -- DDS options from ROS 2's environment variables; CycloneDDS's configuration.
 
 #pragma once
 
 #include <string>
 
-#include "road/dds_options.h"
+#include "transport/dds_options.h"
 
 namespace insonify {
 
-/// Completes options by what ROS 2 reads from the environment: ROS_DOMAIN_ID, ROS_LOCALHOST_ONLY,
-/// ROS_AUTOMATIC_DISCOVERY_RANGE and ROS_STATIC_PEERS. A domain that is given holds.
+/// Completes options from ROS 2's environment variables: ROS_DOMAIN_ID, ROS_LOCALHOST_ONLY,
+/// ROS_AUTOMATIC_DISCOVERY_RANGE and ROS_STATIC_PEERS. A given domain takes precedence.
 /// @throws InputError for a value that ROS 2 does not know.
 [[nodiscard]] DdsOptions with_environment(DdsOptions options);
 
-/// The configuration of CycloneDDS: pieces of XML with commas between, the last of which is the user's CYCLONEDDS_URI.
+/// CycloneDDS's configuration: XML fragments separated by commas, ending with the user's CYCLONEDDS_URI.
 [[nodiscard]] std::string dds_configuration(const DdsOptions& options);
 
 }  // namespace insonify

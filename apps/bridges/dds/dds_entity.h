@@ -13,9 +13,9 @@
 
 namespace insonify {
 
-/// Passes a result of CycloneDDS on.
+/// Returns a result of CycloneDDS unchanged unless it is an error.
 /// @param act  What was tried: "make a writer of rt/fls/fan".
-/// @throws Error where it is a failure.
+/// @throws Error for an error code.
 inline dds_return_t check_dds(dds_return_t result, std::string_view act) {
   if (result < 0) {
     throw Error(fmt::format("could not {}: CycloneDDS says {}", act, dds_strretcode(result)));
@@ -23,7 +23,7 @@ inline dds_return_t check_dds(dds_return_t result, std::string_view act) {
   return result;
 }
 
-/// A participant, topic, reader, writer ...; deleted, with all that was made in it, at the end.
+/// A participant, topic, reader or writer. The destructor deletes it with all entities that it owns.
 class DdsEntity {
  public:
   DdsEntity() = default;

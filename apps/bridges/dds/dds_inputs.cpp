@@ -1,4 +1,4 @@
-// dds_inputs.cpp -- takes poses, time and settings from topics of ROS 2.
+// dds_inputs.cpp -- reads poses, time and settings from ROS 2 topics.
 
 #include "dds/dds_inputs.h"
 
@@ -13,7 +13,7 @@
 #include "dds/type_hash.h"
 #include "insonify/error.h"
 #include "insonify/printable.h"
-#include "road/set_request.h"
+#include "transport/set_request.h"
 
 namespace insonify {
 namespace {
@@ -33,8 +33,8 @@ Vec3 vector(const Vector& from) {
   return {from.x, from.y, from.z};
 }
 
-// Programs that keep orientations in single precision, or add small turns up, let their norm drift: so far they are
-// taken for what is meant.
+// The norm drifts in programs that store orientations in single precision or accumulate small rotations; such small
+// drift is accepted.
 Eigen::Quaterniond orientation(const geometry_msgs_msg_dds__Quaternion_& from) {
   constexpr double kDrift = 0.01;
   const Eigen::Quaterniond given(from.w, from.x, from.y, from.z);
@@ -47,10 +47,10 @@ double unix_time() {
 
 }  // namespace
 
-void DdsInputs::Answers::tell(const std::string& text) const {
+void DdsInputs::Answers::send(const std::string& text) const {
   std::string copy = text;
   const Text message{copy.data()};
-  (void)dds_write(writer.get(), &message);  // Whoever asked may be gone.
+  (void)dds_write(writer.get(), &message);  // The requester may be gone.
 }
 
 DdsInputs::DdsInputs(dds_entity_t participant, const DdsInputOptions& options, LiveLoop& loop)
@@ -86,7 +86,7 @@ DdsInputs::DdsInputs(dds_entity_t participant, const DdsInputOptions& options, L
   const DdsQos qos(dds_create_qos());
   dds_qset_reliability(qos.get(), DDS_RELIABILITY_RELIABLE, DDS_MSECS(100));
   dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, 10);
-  tell_type_hash(qos.get(), std_msgs_msg_dds__String__desc.m_typename);
+  add_type_hash(qos.get(), std_msgs_msg_dds__String__desc.m_typename);
   answers_->writer = DdsEntity(dds_create_writer(participant, answers_->topic.get(), qos.get(), nullptr),
                                fmt::format("make a writer of {}", answer));
 }
@@ -106,7 +106,7 @@ void DdsInputs::end() {
 }
 
 void DdsInputs::read() {
-  constexpr dds_duration_t kLook = DDS_MSECS(500);  // At the writers.
+  constexpr dds_duration_t kLook = DDS_MSECS(500);  // Between checks for writers.
   while (!ending_) {
     (void)dds_waitset_wait(waitset_.get(), nullptr, 0, kLook);
     take_all();
@@ -114,7 +114,7 @@ void DdsInputs::read() {
   }
 }
 
-// A pose that came before a time counts for the pings of that time: the time is taken first and told last.
+// A pose received before a clock message must affect the pings of that time, so the time is read first and passed last.
 void DdsInputs::take_all() {
   std::optional<double> time;
   if (clock_) {
@@ -133,11 +133,11 @@ void DdsInputs::take_all() {
   }
 }
 
-// A twist of Odometry is along the axes of the vehicle.
+// Odometry's twist is in the vehicle's frame.
 void DdsInputs::take_odometry() {
   odometry_->take<Odometry>([this](const Odometry& message) {
     const std::string frame = message.header.frame_id;
-    if (!frame.empty() && frame != options_.world_frame && !std::exchange(told_frame_, true)) {
+    if (!frame.empty() && frame != options_.world_frame && !std::exchange(warned_of_frame_, true)) {
       complain(fmt::format("{}: poses are in the frame {}, which messages call {}; --world-frame {} would agree",
                            options_.odometry, printable(frame), options_.world_frame, printable(frame)));
     }
@@ -153,9 +153,9 @@ void DdsInputs::take_transforms(DdsReader& reader, bool is_static) {
   reader.take<Transforms>([&](const Transforms& message) {
     for (std::uint32_t i = 0; i < message.transforms._length; ++i) {
       const auto& each = message.transforms._buffer[i];
-      frames_.tell(each.header.frame_id, each.child_frame_id,
-                   {vector(each.transform.translation), orientation(each.transform.rotation)},
-                   is_static ? 0 : seconds(each.header.stamp));
+      frames_.set(each.header.frame_id, each.child_frame_id,
+                  {vector(each.transform.translation), orientation(each.transform.rotation)},
+                  is_static ? 0 : seconds(each.header.stamp));
       any = true;
     }
   });
@@ -171,14 +171,14 @@ void DdsInputs::take_transforms(DdsReader& reader, bool is_static) {
 void DdsInputs::drive(const Pose& world_from_vehicle, const Twist& twist, double stamp) {
   std::string refusal;
   try {
-    // A message without a stamp is of now; simulated time begins at 0.
+    // A message without a stamp counts as current; simulated time starts at 0.
     loop_.drive({.world_from_vehicle = world_from_vehicle,
                  .twist = twist,
                  .stamp = stamp != 0 || options_.clock ? stamp : unix_time()});
   } catch (const Error& error) {
     refusal = fmt::format("{}: {}", options_.tf.empty() ? options_.odometry : "/tf", error.what());
   }
-  if (!refusal.empty() && refusal_.empty()) {  // Once, and not with each message.
+  if (!refusal.empty() && refusal_.empty()) {  // Once, not for every message.
     complain(refusal);
   }
   refusal_ = refusal;
@@ -186,24 +186,24 @@ void DdsInputs::drive(const Pose& world_from_vehicle, const Twist& twist, double
 
 void DdsInputs::take_settings() {
   settings_->take<Text>([this](const Text& message) {
-    request_settings(loop_, message.data, [answers = answers_](const std::string& answer) { answers->tell(answer); });
+    request_settings(loop_, message.data, [answers = answers_](const std::string& answer) { answers->send(answer); });
   });
 }
 
-// Says who is missing, after a time in which those who are there have been found, and when they have come.
+// Reports topics without a writer, once discovery has had time to complete, and writers that appear later.
 void DdsInputs::look_for_writers() {
   const bool patient = Clock::now() - begin_ < std::chrono::seconds(3);
   for (Missed& each : missed_) {
     const bool there = each.reader->writers() > 0;
-    if (!there && !each.told && (each.seen || !patient)) {
+    if (!there && !each.reported && (each.seen || !patient)) {
       complain(each.reader->incompatible_writers() > 0
                    ? fmt::format("{}: is written without the quality of service that is needed", each.reader->topic())
                    : fmt::format("{}: nobody writes {} to it{}", each.reader->topic(), each.type,
                                  each.seen ? " any more" : ""));
-      each.told = true;
-    } else if (there && each.told) {
+      each.reported = true;
+    } else if (there && each.reported) {
       complain(fmt::format("{}: is written now", each.reader->topic()));
-      each.told = false;
+      each.reported = false;
     }
     each.seen = each.seen || there;
   }

@@ -1,4 +1,4 @@
-// dds_inputs.h -- what the bridge reads from ROS 2: poses, time and settings.
+// dds_inputs.h -- reads poses, time and settings from ROS 2 for the bridge.
 
 #pragma once
 
@@ -17,17 +17,17 @@
 namespace insonify {
 
 struct DdsInputOptions {
-  std::string odometry = {};     ///< Topic; "" for none.
-  std::string tf = {};           ///< Frame of the vehicle; "" for none.
-  std::string world_frame = {};  ///< Its transform is looked for from this frame on.
-  bool clock = false;            ///< Whether /clock tells the time.
-  std::string set_topic = {};    ///< Settings are read from it and answered on it with "_result" at its end.
+  std::string odometry = {};     ///< Topic; "": none.
+  std::string tf = {};           ///< Frame of the vehicle; "": none.
+  std::string world_frame = {};  ///< Frame in which the vehicle's pose is looked up.
+  bool clock = false;            ///< Whether time comes from /clock.
+  std::string set_topic = {};    ///< Topic of settings; replies go to the topic with "_result" appended.
 };
 
-/// A thread that passes what it reads to a LiveLoop.
+/// A thread that reads messages and passes them to a LiveLoop.
 class DdsInputs {
  public:
-  /// @param loop  Must live until end(). With poses it must be driven, with the clock clocked.
+  /// @param loop  Must live until end(); driven if poses are read, clocked if the clock is.
   DdsInputs(dds_entity_t participant, const DdsInputOptions& options, LiveLoop& loop);
   ~DdsInputs() { end(); }
   DdsInputs(const DdsInputs&) = delete;
@@ -39,17 +39,17 @@ class DdsInputs {
  private:
   using Clock = std::chrono::steady_clock;
 
-  // Who answers requests for settings, also after the end of this object.
+  // Replies to requests for settings; outlives this object.
   struct Answers {
     DdsEntity topic, writer;
-    void tell(const std::string& text) const;
+    void send(const std::string& text) const;
   };
-  // A reader whose writers are missed when they are not there.
+  // A reader that needs a writer.
   struct Missed {
     const DdsReader* reader;
     std::string type;
-    bool seen = false;  // Whether there ever were writers.
-    bool told = false;  // Whether the user knows that there are none.
+    bool seen = false;      // Whether there was a writer at any time.
+    bool reported = false;  // Whether the missing writer was reported.
   };
 
   void read();
@@ -70,11 +70,11 @@ class DdsInputs {
   std::atomic<bool> ending_ = false;
   std::thread thread_;
 
-  // Used by the thread alone.
+  // Used by the thread only.
   FrameTree frames_;
-  bool placed_ = false;      // Whether they led from the world to the vehicle, or that they do not was told.
-  bool told_frame_ = false;  // Whether it was told that poses are in another frame than messages.
-  std::string refusal_;      // Why the last pose was no good.
+  bool placed_ = false;           // Whether transforms connect world and vehicle, or their absence was reported.
+  bool warned_of_frame_ = false;  // Of poses in a frame other than the messages'.
+  std::string refusal_;           // Why the last pose was rejected; "" if it was not.
 };
 
 }  // namespace insonify

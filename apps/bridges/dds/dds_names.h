@@ -1,4 +1,4 @@
-// dds_names.h -- names of topics and types of ROS 2 as they are in DDS.
+// dds_names.h -- DDS names of ROS 2 topics and types.
 
 #pragma once
 
@@ -7,12 +7,12 @@
 
 namespace insonify {
 
-/// "/fls/fan" is "rt/fls/fan".
+/// "rt/fls/fan" for "/fls/fan".
 [[nodiscard]] inline std::string dds_topic_name(std::string_view ros) {
   return (ros.starts_with('/') ? "rt" : "rt/") + std::string(ros);
 }
 
-/// "sensor_msgs/msg/Image" is "sensor_msgs::msg::dds_::Image_".
+/// "sensor_msgs::msg::dds_::Image_" for "sensor_msgs/msg/Image".
 [[nodiscard]] inline std::string dds_type_name(std::string_view ros) {
   const std::size_t package_end = ros.find('/');
   const std::size_t name = ros.rfind('/') + 1;

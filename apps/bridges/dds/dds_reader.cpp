@@ -1,4 +1,4 @@
-// dds_reader.cpp -- makes a reader with the quality of service that ROS 2 has for its kind of topic.
+// dds_reader.cpp -- makes a reader with the quality of service that ROS 2 uses for its kind of topic.
 
 #include "dds/dds_reader.h"
 
@@ -20,7 +20,7 @@ DdsReader::DdsReader(dds_entity_t participant, const std::string& topic, const d
   dds_qset_durability(qos.get(),
                       delivery == DdsDelivery::kEachAndLast ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
   dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, delivery == DdsDelivery::kNewest ? 1 : kKept);
-  tell_type_hash(qos.get(), type.m_typename);
+  add_type_hash(qos.get(), type.m_typename);
   dds_qset_ignorelocal(qos.get(), DDS_IGNORELOCAL_PARTICIPANT);
   reader_ = DdsEntity(dds_create_reader(participant, topic_.get(), qos.get(), nullptr),
                       fmt::format("make a reader of {}", name));

@@ -1,4 +1,4 @@
-// dds_reader.h -- reads a topic of ROS 2.
+// dds_reader.h -- reads a ROS 2 topic.
 
 #pragma once
 
@@ -9,23 +9,23 @@
 
 namespace insonify {
 
-/// What a reader asks of those who write. One that asks for less finds more of them.
+/// Quality of service that a reader requests. Weaker requests match more writers.
 enum class DdsDelivery {
-  kNewest,       ///< The newest message alone; one that gets lost is not sent again.
-  kMany,         ///< The newest hundred; likewise.
+  kNewest,       ///< The newest message only; lost ones are not sent again.
+  kMany,         ///< The newest 100; lost ones are not sent again.
   kEach,         ///< Each message.
-  kEachAndLast,  ///< Each message, and what was written before the reader was there.
+  kEachAndLast,  ///< Each message, and the last ones written before the reader existed.
 };
 
-/// A reader of one topic. Messages that this participant writes itself are not read.
+/// A reader of one topic. Ignores messages written by its own participant.
 class DdsReader {
  public:
-  /// @param topic  As ROS 2 has it: "/auv/odom".
+  /// @param topic  ROS 2 name: "/auv/odom".
   /// @param type   Made by idlc from ros_types.idl.
   DdsReader(dds_entity_t participant, const std::string& topic, const dds_topic_descriptor_t& type,
             DdsDelivery delivery);
 
-  /// Calls visit(message) for each message that has come since the last call, in order.
+  /// Calls visit(message) for each message received since the last call, in order.
   template <typename Message, typename Visit>
   void take(Visit&& visit) {
     constexpr int kMost = 16;
@@ -46,9 +46,9 @@ class DdsReader {
 
   [[nodiscard]] dds_entity_t get() const { return reader_.get(); }
   [[nodiscard]] const std::string& topic() const { return name_; }
-  /// How many write the topic now.
+  /// Number of current writers of the topic.
   [[nodiscard]] std::uint32_t writers() const;
-  /// How many do, but not so that this reader could read it.
+  /// Number of current writers whose quality of service does not match this reader's.
   [[nodiscard]] std::uint32_t incompatible_writers() const;
 
  private:

@@ -7,21 +7,21 @@
 namespace insonify {
 namespace {
 
-// Frames were written with a slash in front in the first years of ROS.
+// Early ROS wrote frames with a leading slash.
 std::string bare(const std::string& frame) {
   return frame.starts_with('/') ? frame.substr(1) : frame;
 }
 
 }  // namespace
 
-void FrameTree::tell(const std::string& parent, const std::string& child, const Pose& parent_from_child, double stamp) {
+void FrameTree::set(const std::string& parent, const std::string& child, const Pose& parent_from_child, double stamp) {
   links_[bare(child)] = {bare(parent), parent_from_child, stamp};
 }
 
 std::optional<FrameTree::Place> FrameTree::find(const std::string& above, const std::string& frame) const {
   Place place;
   std::string at = bare(frame);
-  for (std::size_t step = 0; step <= links_.size(); ++step) {  // No more: transforms may lead in a circle.
+  for (std::size_t step = 0; step <= links_.size(); ++step) {  // Bounded: transforms may form a cycle.
     if (at == bare(above)) {
       return place;
     }

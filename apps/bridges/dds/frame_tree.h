@@ -1,4 +1,4 @@
-// frame_tree.h -- where the frames of tf are in each other.
+// frame_tree.h -- the tree of tf frames and the transforms between them.
 
 #pragma once
 
@@ -10,22 +10,22 @@
 
 namespace insonify {
 
-/// Transforms as tf tells them: each frame has one parent. The newest of each counts.
+/// Transforms from tf: each frame has one parent, and its newest transform counts.
 class FrameTree {
  public:
   struct Place {
     Pose pose;
-    double stamp = 0;  ///< Time of the newest transform on the way [s].
+    double stamp = 0;  ///< Time of the newest transform on the path [s].
   };
 
-  /// Where a frame is in its parent.
-  /// @param stamp  [s]; 0 where it never changes.
-  void tell(const std::string& parent, const std::string& child, const Pose& parent_from_child, double stamp);
+  /// Sets the pose of a frame in its parent.
+  /// @param stamp  [s]; 0 for a static transform.
+  void set(const std::string& parent, const std::string& child, const Pose& parent_from_child, double stamp);
 
-  /// Where a frame is in another one above it; empty where no transforms lead there.
+  /// Pose of a frame in one of its ancestors; empty if no transforms connect them.
   [[nodiscard]] std::optional<Place> find(const std::string& above, const std::string& frame) const;
 
-  /// The highest frame above a frame.
+  /// The topmost ancestor of a frame.
   [[nodiscard]] std::string top(const std::string& frame) const;
 
  private:

@@ -1,4 +1,4 @@
-// main.cpp -- insonify-bridge-dds: a scenario's pings as topics of ROS 2.
+// main.cpp -- insonify-bridge-dds: publishes a scenario's pings as ROS 2 topics.
 
 #include <fmt/format.h>
 
@@ -11,14 +11,14 @@
 #include "console/stop.h"
 #include "dds/dds_configuration.h"
 #include "dds/dds_inputs.h"
-#include "dds/dds_road.h"
-#include "road/bridge_program.h"
-#include "road/road_loop.h"
+#include "dds/dds_transport.h"
+#include "transport/bridge_program.h"
+#include "transport/event_loop.h"
 
 namespace insonify {
 namespace {
 
-// Lines of CycloneDDS, which come in pieces.
+// Joins CycloneDDS's log output, which arrives in pieces, into lines.
 void pass_on(void* whole, const dds_log_data_t* piece) {
   std::string& line = *static_cast<std::string*>(whole);
   line.append(piece->message, piece->size);
@@ -45,9 +45,9 @@ int run(const BridgeRequest& request) {
   BridgeOptions bridge_options = request.bridge;
   bridge_options.live.driven = !request.odometry.empty() || !request.tf.empty();
   bridge_options.live.clocked = request.clock == "simulated";
-  bridge_options.messages.raw = true;  // What nobody reads is not encoded.
-  DdsRoad road(participant.get(), options.best_effort);
-  Bridge bridge(bridge_options, road, MessageForm::kRos2);
+  bridge_options.messages.raw = true;  // Encoded only for topics with readers.
+  DdsTransport transport(participant.get(), options.best_effort);
+  Bridge bridge(bridge_options, transport, MessageForm::kRos2);
   DdsInputs inputs(participant.get(),
                    {.odometry = request.odometry,
                     .tf = request.tf,
@@ -56,7 +56,7 @@ int run(const BridgeRequest& request) {
                     .set_topic = options.set_topic},
                    bridge.loop());
   note_when_asked(IgnoredInterrupt::kEnds);
-  RoadLoop loop(bridge.report());
+  EventLoop loop(bridge.report());
   bridge.start();
   inputs.start();
   if (!request.bridge.quiet) {
@@ -67,7 +67,7 @@ int run(const BridgeRequest& request) {
   loop.run();
   inputs.end();
   bridge.end();
-  road.finish();
+  transport.finish();
   if (!request.bridge.quiet) {
     say("{}\n", bridge.report().text());
   }

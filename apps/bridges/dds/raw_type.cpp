@@ -1,4 +1,4 @@
-// raw_type.cpp -- tells CycloneDDS how to handle messages that are encoded already.
+// raw_type.cpp -- CycloneDDS's type operations for messages that are already encoded.
 
 #include "dds/raw_type.h"
 
@@ -35,7 +35,7 @@ const RawMessage& raw(const ddsi_serdata* message) {
   return *static_cast<const RawMessage*>(message);
 }
 
-// All messages of a topic without keys are of the same instance.
+// A topic without keys has a single instance.
 bool has_same_key(const ddsi_serdata* /*a*/, const ddsi_serdata* /*b*/) {
   return true;
 }
@@ -48,10 +48,10 @@ void copy_to(const ddsi_serdata* message, std::size_t offset, std::size_t size, 
   std::memcpy(buffer, raw(message).bytes.data() + offset, size);
 }
 
-// Set in the thread that writes a message, while it writes. Threads that send fragments again have none.
+// Set in the writing thread during a write. Threads that resend fragments have none.
 thread_local SendPace* current_pace = nullptr;
 
-// Called for each fragment, right before it is sent.
+// Called right before each fragment is sent.
 ddsi_serdata* lend(const ddsi_serdata* message, std::size_t offset, std::size_t size, ddsrt_iovec_t* lent) {
   if (current_pace != nullptr) {
     current_pace->wait(size);
@@ -83,7 +83,7 @@ void hash_key(const ddsi_serdata* /*message*/, ddsi_keyhash* hash, bool /*as_md5
   *hash = {};
 }
 
-// Nothing reads these topics here: what makes messages of received bytes, and samples of messages, refuses.
+// These topics are write-only: operations that would decode received bytes fail.
 ddsi_serdata_ops message_operations() {
   ddsi_serdata_ops operations{};
   operations.eqkey = has_same_key;
@@ -110,7 +110,7 @@ void free_type(ddsi_sertype* type) {
   delete type;
 }
 
-// Types of the same name, which CycloneDDS compares by itself, are the same.
+// CycloneDDS has compared the names already: equal names mean equal types.
 ddsi_sertype_ops type_operations() {
   ddsi_sertype_ops operations{};
   operations.version = ddsi_sertype_v0;
@@ -130,7 +130,7 @@ RawTopic::RawTopic(dds_entity_t participant, const std::string& name, const std:
   auto* raw_type = new ddsi_sertype{};
   ddsi_sertype_init_flags(raw_type, type.c_str(), &kTypeOperations, &kMessageOperations,
                           DDSI_SERTYPE_FLAG_TOPICKIND_NO_KEY);
-  ddsi_sertype* used = raw_type;  // Becomes that of an earlier topic of the same type, if there is one.
+  ddsi_sertype* used = raw_type;  // Replaced by an existing one of the same type, if any.
   const dds_entity_t topic = dds_create_topic_sertype(participant, name.c_str(), &used, qos, nullptr, nullptr);
   if (topic < 0) {
     ddsi_sertype_unref(raw_type);

@@ -1,4 +1,4 @@
-// raw_type.h -- topics of DDS whose messages are encoded already.
+// raw_type.h -- DDS topics whose messages are already encoded.
 
 #pragma once
 
@@ -15,7 +15,7 @@ struct ddsi_sertype;
 
 namespace insonify {
 
-/// A topic without keys whose messages are sequences of bytes to CycloneDDS. It can be written, not read.
+/// A write-only topic without keys whose messages are opaque bytes to CycloneDDS.
 class RawTopic {
  public:
   /// @param name  As on the wire: "rt/fls/fan".
@@ -32,8 +32,8 @@ class RawTopic {
 
 /// Sends a message to all readers.
 /// @param message  CDR with its four-byte header.
-/// @param pace     Of all messages of this participant: readers in one program share a socket.
-/// @return  As dds_write(): DDS_RETCODE_TIMEOUT where a reliable reader could not keep up.
+/// @param pace     Shared by all messages of this participant: readers in one program share a socket.
+/// @return  As dds_write(): DDS_RETCODE_TIMEOUT if a reliable reader could not keep up.
 [[nodiscard]] dds_return_t write_raw(dds_entity_t writer, const RawTopic& topic, std::span<const std::byte> message,
                                      SendPace& pace);
 

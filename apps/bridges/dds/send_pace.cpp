@@ -1,4 +1,4 @@
-// send_pace.cpp -- a bucket of bytes that empties at a constant rate.
+// send_pace.cpp -- a leaky bucket: bytes drain at a constant rate.
 
 #include "dds/send_pace.h"
 
@@ -16,7 +16,7 @@ void SendPace::wait(std::size_t size) {
   };
   drain();
   const auto bytes = static_cast<double>(size);
-  const double excess = std::min(pending_, pending_ + bytes - kBurst);  // A fragment alone may be larger than a burst.
+  const double excess = std::min(pending_, pending_ + bytes - kBurst);  // A single fragment may exceed a burst.
   if (excess > 0) {
     std::this_thread::sleep_for(std::chrono::duration<double>(excess / rate_));
     drain();

@@ -7,9 +7,9 @@
 
 namespace insonify {
 
-/// Limits how fast fragments are sent: kBurst bytes at once, beyond that kRate. By default a socket of Linux holds some
-/// 200 kB (net.core.rmem_default); what arrives before its program has taken out the bytes before is lost, and a
-/// message of which one fragment is lost is lost for readers that do not ask again.
+/// Limits how fast fragments are sent: kBurst bytes at once, then at kRate. A Linux socket buffers some 200 kB by
+/// default (net.core.rmem_default) and drops what arrives while it is full. A best-effort reader loses a whole message
+/// with one fragment.
 class SendPace {
  public:
   using Clock = std::chrono::steady_clock;
@@ -26,7 +26,7 @@ class SendPace {
 
  private:
   double rate_;
-  double pending_ = 0;                   // Bytes that readers may not have taken out yet ...
+  double pending_ = 0;                   // Bytes that readers may not have read yet ...
   Clock::time_point at_ = Clock::now();  // ... at this time.
 };
 

@@ -1,4 +1,4 @@
-// type_hash.cpp -- the hashes of the bridge's messages.
+// type_hash.cpp -- the hashes of the bridge's message types.
 
 #include "dds/type_hash.h"
 
@@ -37,7 +37,7 @@ std::string_view type_hash(std::string_view type) {
   return found == kHashes.end() ? std::string_view() : found->hash;
 }
 
-void tell_type_hash(dds_qos* qos, std::string_view type) {
+void add_type_hash(dds_qos* qos, std::string_view type) {
   if (const std::string_view hash = type_hash(type); !hash.empty()) {
     const std::string text = fmt::format("typehash={};", hash);
     dds_qset_userdata(qos, text.data(), text.size());

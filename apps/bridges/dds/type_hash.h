@@ -1,4 +1,4 @@
-// type_hash.h -- how nodes of ROS 2 tell definitions of messages apart.
+// type_hash.h -- hashes by which ROS 2 nodes compare message definitions.
 
 #pragma once
 
@@ -8,12 +8,12 @@ struct dds_qos;
 
 namespace insonify {
 
-/// The hash of a type's definition, RIHS01 of REP-2016: "RIHS01_df66...". "" for a type that the bridge does not have.
+/// The RIHS01 hash (REP-2016) of a type's definition: "RIHS01_df66...". "" for a type unknown to the bridge.
 /// @param type  As on the wire: "std_msgs::msg::dds_::String_".
 [[nodiscard]] std::string_view type_hash(std::string_view type);
 
-/// Adds it to what others learn of a reader or writer, as nodes have done since the release Iron; those warn where it
-/// is absent.
-void tell_type_hash(dds_qos* qos, std::string_view type);
+/// Adds it to the discovery data of a reader or writer. Nodes since ROS 2 Iron warn if it is
+/// absent.
+void add_type_hash(dds_qos* qos, std::string_view type);
 
 }  // namespace insonify

@@ -6,7 +6,7 @@
 
 namespace insonify {
 
-void take_gz_environment() {
+void copy_gz_environment() {
   constexpr const char* kNames[] = {
       "PARTITION", "IP", "RELAY", "DISCOVERY_MULTICAST_IP", "DISCOVERY_MSG_PORT", "VERBOSE", "DISCOVERY_SRV_PORT"};
   for (const std::string name : kNames) {

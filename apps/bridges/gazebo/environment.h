@@ -6,11 +6,11 @@
 
 namespace insonify {
 
-/// Has the transport read the variables of the newer Gazebo too: GZ_PARTITION and others where IGN_PARTITION is not
-/// set. To be called before there is a node.
-void take_gz_environment();
+/// Makes the transport honour the variables of newer Gazebo releases: GZ_PARTITION etc. where IGN_PARTITION etc. is not
+/// set. To be called before the first node is made.
+void copy_gz_environment();
 
-/// The partition that nodes are in, "" for the usual one.
+/// The partition of the nodes; "": the default one.
 [[nodiscard]] std::string gazebo_partition();
 
 }  // namespace insonify

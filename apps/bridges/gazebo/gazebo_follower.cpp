@@ -17,9 +17,9 @@
 namespace insonify {
 namespace {
 
-constexpr std::chrono::milliseconds kLook{300};       // Between looks at what is served.
+constexpr std::chrono::milliseconds kLook{300};       // Between checks for worlds.
 constexpr std::chrono::milliseconds kRequest{200};    // Between requests for the scene.
-constexpr std::chrono::milliseconds kSettling{1000};  // Until it is known whether Gazebo tells what is static.
+constexpr std::chrono::milliseconds kSettling{1000};  // Until it is known whether Gazebo marks static entities.
 
 double seconds(const ignition::msgs::Time& time) {
   return static_cast<double>(time.sec()) + 1e-9 * time.nsec();
@@ -68,7 +68,7 @@ void GazeboFollower::follow() {
     try {
       if (Clock::now() >= next_look_) {
         if (look_for_server()) {
-          mail = {};  // The server before has sent it.
+          mail = {};  // It is from the previous server.
         }
         next_look_ = Clock::now() + kLook;
       }
@@ -95,8 +95,8 @@ void GazeboFollower::warn_once(const std::string& text) {
   }
 }
 
-// Finds the world to follow; notices that Gazebo ended.
-// @return  Whether it has begun, perhaps anew.
+// Finds the world to follow; detects that Gazebo ended.
+// @return  Whether Gazebo was started or restarted.
 bool GazeboFollower::look_for_server() {
   std::vector<ServedWorld> worlds = server_.worlds();
   std::vector<std::string> names;
@@ -112,7 +112,7 @@ bool GazeboFollower::look_for_server() {
     return false;
   }
   if (worlds.empty()) {
-    if (!std::exchange(told_waiting_, true)) {
+    if (!std::exchange(announced_waiting_, true)) {
       const std::string partition = gazebo_partition();
       log_(Severity::kWarning,
            fmt::format("there is no Gazebo{}{}{}: waiting for it",
@@ -128,8 +128,8 @@ bool GazeboFollower::look_for_server() {
     return false;
   }
   served_ = found;
-  told_waiting_ = false;
-  told_world_ = false;
+  announced_waiting_ = false;
+  announced_world_ = false;
   needs_scene_ = true;
   world_.clear();
   has_scene_ = false;
@@ -224,7 +224,7 @@ void GazeboFollower::update_objects() {
   const std::string name = fmt::format("the world {}", printable(served_ ? served_->name : subscribed_));
   const SceneKeeper::Change change =
       keeper_.update(world_, carriers_.ids(loop_.world()->scenario.sonars, world_), name, loop_, log_);
-  if (!std::exchange(told_world_, true)) {
+  if (!std::exchange(announced_world_, true)) {
     log_(Severity::kInfo, fmt::format("following {}: {} visuals, {} of them in models that move", name,
                                       keeper_.object_count(), keeper_.moving_count()));
     keeper_.report_unused_patterns(name);
@@ -233,9 +233,9 @@ void GazeboFollower::update_objects() {
   }
 }
 
-// A pose that came before a time counts for the pings of that time, so the time is told last.
+// A pose received before a time must affect the pings of that time, so the time is passed last.
 void GazeboFollower::drive() {
-  if (!told_world_ || !std::exchange(newest_changes_, false)) {
+  if (!announced_world_ || !std::exchange(newest_changes_, false)) {
     return;
   }
   std::vector<CarriedSonar> carried = carriers_.poses(*loop_.world(), world_, stamp_);

@@ -1,4 +1,4 @@
-// gazebo_follower.h -- passes what a running Gazebo tells to a LiveLoop: objects, poses and time.
+// gazebo_follower.h -- passes objects, poses and time of a running Gazebo to a LiveLoop.
 
 #pragma once
 
@@ -27,16 +27,16 @@
 namespace insonify {
 
 struct FollowerOptions {
-  std::string world = {};                             ///< Name; "" for the only one that there is.
-  std::map<std::string, Carrier> carriers = {};       ///< What carries the sonars; see SonarCarriers.
-  bool clock = true;                                  ///< Whether stamps of poses tell the time.
+  std::string world = {};                             ///< Name; "": the only one.
+  std::map<std::string, Carrier> carriers = {};       ///< Models or links that carry the sonars; see SonarCarriers.
+  bool clock = true;                                  ///< Whether time comes from the stamps of poses.
   std::map<std::string, std::string> materials = {};  ///< By the full names of visuals.
 };
 
-/// A thread that waits for Gazebo, follows it, and waits for it again when it ends.
+/// A thread that waits for Gazebo, follows it, and waits again after it ends.
 class GazeboFollower {
  public:
-  /// @param loop  Followed and driven; with FollowerOptions::clock clocked. Must live until end().
+  /// @param loop  Driven, and clocked with FollowerOptions::clock. Must live until end().
   GazeboFollower(FollowerOptions options, WorldParts parts, LiveLoop& loop, Log log);
   ~GazeboFollower() { end(); }
   GazeboFollower(const GazeboFollower&) = delete;
@@ -50,7 +50,7 @@ class GazeboFollower {
   using Clock = std::chrono::steady_clock;
   using Id = GazeboWorld::Id;
 
-  // What came since the last look: all news, the newest poses.
+  // Received since the last check: all changes, the newest poses.
   struct Mail {
     std::optional<std::string> poses, dynamic_poses;
     struct News {
@@ -60,7 +60,7 @@ class GazeboFollower {
     std::vector<News> news;
   };
 
-  // Callbacks own it too: one that runs while its topic is unsubscribed from is not waited for.
+  // Shared with callbacks: unsubscribing does not wait for one that is running.
   struct MailBox {
     std::mutex mutex;
     std::condition_variable arrived;
@@ -90,9 +90,9 @@ class GazeboFollower {
   SceneKeeper keeper_;
   std::optional<ServedWorld> served_;
   std::string subscribed_;  // Name of the world.
-  bool told_waiting_ = false;
-  bool needs_scene_ = false, has_scene_ = false, needs_update_ = false, told_world_ = false;
-  bool newest_changes_ = false;  // Whether poses came since the last drive.
+  bool announced_waiting_ = false;
+  bool needs_scene_ = false, has_scene_ = false, needs_update_ = false, announced_world_ = false;
+  bool newest_changes_ = false;  // Whether poses arrived since the last drive().
   double stamp_ = 0;             // Time of the newest poses [s].
   Clock::time_point next_look_, next_request_, settled_at_;
   std::string last_warning_;

@@ -1,4 +1,4 @@
-// gazebo_names.cpp -- names of types and services in both generations of Gazebo.
+// gazebo_names.cpp -- names of types and services in Gazebo Fortress and later.
 
 #include "gazebo/gazebo_names.h"
 

@@ -1,4 +1,4 @@
-// gazebo_names.h -- names of types and services in both generations of Gazebo.
+// gazebo_names.h -- names of types and services in Gazebo Fortress and later.
 
 #pragma once
 
@@ -9,22 +9,23 @@
 
 namespace insonify {
 
-/// "gz.msgs.Image" as "ignition.msgs.Image".
+/// "ignition.msgs.Image" for "gz.msgs.Image".
 [[nodiscard]] std::string ignition_type_name(std::string_view gz_type);
 
 /// The world of a service "/world/NAME/scene/info"; empty for any other.
 [[nodiscard]] std::optional<std::string> world_of_service(std::string_view service);
 
-/// What a world publishes and serves.
+/// Topics and services of a world.
 struct WorldTopics {
   explicit WorldTopics(const std::string& world)
       : scene("/world/" + world + "/scene/info"),
         deletion("/world/" + world + "/scene/deletion"),
         poses("/world/" + world + "/pose/info"),
         dynamic_poses("/world/" + world + "/dynamic_pose/info") {}
-  std::string scene;                 ///< Scene: a service that gives all there is, and a topic with what is new.
-  std::string deletion;              ///< UInt32_V: ids of models that are gone.
-  std::string poses, dynamic_poses;  ///< Pose_V, each pose in its parent's frame; the second of what is not static.
+  std::string scene;     ///< Scene: a service for the whole scene, and a topic of additions.
+  std::string deletion;  ///< UInt32_V: ids of removed models.
+  std::string poses,
+      dynamic_poses;  ///< Pose_V, each pose in its parent's frame; dynamic: of entities that are not static.
 };
 
 }  // namespace insonify

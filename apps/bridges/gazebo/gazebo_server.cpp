@@ -1,4 +1,4 @@
-// gazebo_server.cpp -- services of either generation of Gazebo.
+// gazebo_server.cpp -- calls the services of Gazebo Fortress and later.
 
 #include "gazebo/gazebo_server.h"
 
@@ -20,7 +20,7 @@ std::vector<ServedWorld> GazeboServer::worlds() const {
     std::vector<ignition::transport::ServicePublisher> publishers;
     const std::optional<std::string> name = world_of_service(service);
     if (name && node_.ServiceInfo(service, publishers) && !publishers.empty()) {
-      const auto& last = publishers.back();  // One that died may be listed before it.
+      const auto& last = publishers.back();  // A dead one may be listed before it.
       worlds.push_back({*name, last.PUuid(), last.RepTypeName().starts_with("gz.")});
     }
   }

@@ -22,10 +22,10 @@ class GazeboServer {
  public:
   explicit GazeboServer(ignition::transport::Node& node) : node_(node) {}
 
-  /// Worlds that are served now, in alphabetical order.
+  /// Worlds that run now, in alphabetical order.
   [[nodiscard]] std::vector<ServedWorld> worlds() const;
 
-  /// The scene of a world, within half a second.
+  /// The scene of a world; empty without an answer within half a second.
   [[nodiscard]] std::optional<ignition::msgs::Scene> scene(const ServedWorld& world);
 
  private:

@@ -1,4 +1,4 @@
-// gazebo_shapes.cpp -- translates the shapes of gz.msgs.
+// gazebo_shapes.cpp -- converts the shapes of gz.msgs.
 
 #include "gazebo/gazebo_shapes.h"
 
@@ -15,7 +15,7 @@ Vec3 vec3(const ignition::msgs::Vector3d& vector) {
   return {vector.x(), vector.y(), vector.z()};
 }
 
-// Files in the folders of models are named by paths that may begin with "file://".
+// Paths of files in model folders may begin with "file://".
 Shape mesh(const ignition::msgs::MeshGeom& from) {
   return {.kind = ShapeKind::kMesh,
           .uri = from.filename(),
@@ -24,7 +24,7 @@ Shape mesh(const ignition::msgs::MeshGeom& from) {
           .scale = from.has_scale() ? vec3(from.scale()) : Vec3(Vec3::Ones())};
 }
 
-// Gazebo gives every heightmap a size, SDF's default where the file has none.
+// Gazebo sends every heightmap with a size, by default SDF's.
 Shape heightmap(const ignition::msgs::HeightmapGeom& from) {
   Shape shape{.kind = ShapeKind::kHeightmap, .uri = from.filename(), .position = vec3(from.origin())};
   shape.sampling = static_cast<int>(std::clamp(from.sampling(), 1U, 1000U));
@@ -59,7 +59,7 @@ std::variant<Shape, std::string> shape_of(const Geometry& from) {
       return mesh(from.mesh());
     case Geometry::HEIGHTMAP:
       if (from.heightmap().filename().empty()) {
-        return "Gazebo does not tell the file of its heightmap";
+        return "Gazebo does not publish the file of its heightmap";
       }
       return heightmap(from.heightmap());
     case Geometry::EMPTY:

@@ -1,4 +1,4 @@
-// gazebo_shapes.h -- the shapes of Gazebo's visuals as ours.
+// gazebo_shapes.h -- converts the shapes of Gazebo's visuals.
 
 #pragma once
 
@@ -13,10 +13,10 @@
 
 namespace insonify {
 
-/// @return  The shape, or why there is none: "it has no shape".
+/// @return  The shape, or the reason for having none: "it has no shape".
 [[nodiscard]] std::variant<Shape, std::string> shape_of(const ignition::msgs::Geometry& geometry);
 
-/// An orientation of norm 0, as a message has that was never filled, is taken for none.
+/// An orientation of norm 0, as in an unset message field, counts as identity.
 [[nodiscard]] Pose pose_of(const ignition::msgs::Pose& pose);
 
 }  // namespace insonify

@@ -16,7 +16,7 @@ void GazeboWorld::put(Id id, Entity entity) {
   if (const auto old = entities_.find(id); old != entities_.end()) {
     names_.erase(old->second.name);
   }
-  if (!names_.insert(entity.name).second) {  // Gazebo's own names differ; those of other programs may not.
+  if (!names_.insert(entity.name).second) {  // Gazebo's names are unique; those of other programs may not be.
     entity.name += fmt::format("#{}", id);
     names_.insert(entity.name);
   }
@@ -37,7 +37,7 @@ void GazeboWorld::add_visual(const ignition::msgs::Visual& visual, Id parent, co
                     .is_new = is_new,
                     .visual = GazeboVisual{.shape = shape_of(visual.geometry()),
                                            .transparent = visual.transparency() >= 1,
-                                           .told = look.SerializeAsString()}});
+                                           .message = look.SerializeAsString()}});
 }
 
 void GazeboWorld::add_link(const ignition::msgs::Link& link, Id parent, const std::string& scope, bool is_static,
@@ -148,13 +148,13 @@ void GazeboWorld::accept() {
 
 Pose GazeboWorld::world_from(Id id) const {
   Pose pose;
-  for (std::size_t step = 0; step <= entities_.size(); ++step) {  // No more: parents may lead in a circle.
+  for (std::size_t step = 0; step <= entities_.size(); ++step) {  // Bounded: parents may form a cycle.
     const auto entity = entities_.find(id);
     if (entity == entities_.end()) {
       break;
     }
-    const auto told = poses_.find(id);
-    pose = (told == poses_.end() ? entity->second.parent_from_entity : told->second) * pose;
+    const auto sent = poses_.find(id);
+    pose = (sent == poses_.end() ? entity->second.parent_from_entity : sent->second) * pose;
     id = entity->second.parent;
   }
   return pose;

@@ -1,4 +1,4 @@
-// gazebo_world.h -- the entities of a Gazebo world by their ids: models, links and visuals, and where they are.
+// gazebo_world.h -- the entities of a Gazebo world (models, links, visuals) and their poses, by id.
 
 #pragma once
 
@@ -22,13 +22,13 @@ namespace insonify {
 
 /// A visual as Gazebo shows it.
 struct GazeboVisual {
-  std::variant<Shape, std::string> shape;  ///< Or why there is none.
-  bool transparent = false;                ///< Wholly.
-  bool operator==(const GazeboVisual& other) const { return told == other.told; }
-  std::string told;  ///< The message but for its pose: two visuals with the same look alike.
+  std::variant<Shape, std::string> shape;  ///< Or the reason for having none.
+  bool transparent = false;                ///< Fully.
+  bool operator==(const GazeboVisual& other) const { return message == other.message; }
+  std::string message;  ///< Its message without the pose: equal for visuals that look the same.
 };
 
-/// Follows from messages alone. Names are not unique in Gazebo's messages about poses, ids are.
+/// Built from messages only. Gazebo's pose messages identify entities by id; names are not unique there.
 class GazeboWorld {
  public:
   using Id = std::uint32_t;
@@ -37,40 +37,40 @@ class GazeboWorld {
     Id parent = 0;     ///< 0: the world.
     std::string name;  ///< In full: "ship::hull::plate".
     Pose parent_from_entity;
-    bool is_static = false;  ///< Whether Gazebo says so, or says it of a model that this is in.
-    bool is_new = false;     ///< Whether add() has brought it.
+    bool is_static = false;  ///< Whether Gazebo marks it, or a model above it, as static.
+    bool is_new = false;     ///< Whether add() added it.
     std::optional<GazeboVisual> visual = {};
   };
 
-  /// Takes the whole world. Poses told before count for the ids that are there still.
+  /// Sets the whole world. Earlier poses stay valid for ids that still exist.
   void set(const ignition::msgs::Scene& scene);
-  /// Takes models that were spawned.
+  /// Adds spawned models.
   void add(const ignition::msgs::Scene& scene);
-  /// Removes entities with all that is in them; ids that are not there have no effect.
+  /// Removes entities with all their children; unknown ids have no effect.
   void remove(std::span<const Id> ids);
-  /// Forgets everything, as after a start of Gazebo.
+  /// Clears everything, as after a restart of Gazebo.
   void clear();
 
-  /// Takes poses, each in its parent's frame.
-  /// @param dynamic  Whether these are of what is not static, and of nothing else.
+  /// Reads poses, each in its parent's frame.
+  /// @param dynamic  Whether the message holds the non-static entities only.
   void take(const ignition::msgs::Pose_V& poses, bool dynamic);
 
-  /// Whether the poses taken in last and the entities do not fit together: one lacks what the other has. What was so
-  /// when accept() was called is taken as it is.
+  /// Whether the last poses and the entities differ in their ids. Differences that existed when accept() was called do
+  /// not count.
   [[nodiscard]] bool is_outdated() const;
   void accept();
 
   [[nodiscard]] const std::map<Id, Entity>& entities() const { return entities_; }
   [[nodiscard]] Pose world_from(Id id) const;
-  /// Whether Gazebo moves an entity, as far as it has told.
+  /// Whether Gazebo moves an entity, as far as messages have said.
   [[nodiscard]] bool is_moving(Id id) const;
-  /// Whether it has told anything that is not static.
+  /// Whether a message has named entities that are not static.
   [[nodiscard]] bool knows_dynamic() const { return has_dynamic_; }
-  /// Whether it is another one or in it.
+  /// Whether an entity is another one or inside it.
   [[nodiscard]] bool is_in(Id id, Id other) const;
-  /// The model or link of a full name.
+  /// The model or link with a full name.
   [[nodiscard]] std::optional<Id> find(std::string_view name) const;
-  /// "dock, rov, sea": names of models.
+  /// Names of models: "dock, rov, sea".
   [[nodiscard]] std::string model_names() const;
 
  private:
@@ -83,9 +83,9 @@ class GazeboWorld {
 
   std::map<Id, Entity> entities_;
   std::set<std::string> names_;
-  std::map<Id, Pose> poses_;                    // Told by messages.
-  std::set<Id> posed_;                          // Ids of the last message of all poses.
-  std::set<Id> dynamic_;                        // Ids that a message named that is about what is not static.
+  std::map<Id, Pose> poses_;                    // From messages.
+  std::set<Id> posed_;                          // Ids in the last message of all poses.
+  std::set<Id> dynamic_;                        // Ids in messages of non-static entities.
   std::set<Id> without_entity_, without_pose_;  // Accepted.
   bool has_dynamic_ = false, has_poses_ = false;
 };

@@ -1,4 +1,4 @@
-// main.cpp -- insonify-bridge-gazebo: sonars in a running Gazebo, their pictures on its topics.
+// main.cpp -- insonify-bridge-gazebo: adds sonars to a running Gazebo and publishes their pictures.
 
 #include <fmt/format.h>
 
@@ -11,15 +11,15 @@
 #include "console/stop.h"
 #include "gazebo/environment.h"
 #include "gazebo/gazebo_follower.h"
-#include "gazebo/gazebo_road.h"
+#include "gazebo/gazebo_transport.h"
 #include "insonify/files.h"
-#include "road/bridge_program.h"
-#include "road/road_loop.h"
+#include "transport/bridge_program.h"
+#include "transport/event_loop.h"
 
 namespace insonify {
 namespace {
 
-// Materials that the SDF file of a scenario gives visuals: Gazebo does not pass them on.
+// Materials of visuals from the scenario's SDF file: Gazebo does not transmit them.
 std::map<std::string, std::string> materials_of(const Scenario& scenario, const Log& log) {
   std::map<std::string, std::string> materials;
   if (scenario.world.empty()) {
@@ -37,7 +37,7 @@ std::map<std::string, std::string> materials_of(const Scenario& scenario, const 
   return materials;
 }
 
-// What carries the sonars: what the options say before what the world's file does.
+// Carriers of the sonars: options take precedence over the world's file.
 std::map<std::string, Carrier> carriers_of(const BridgeRequest& request, const Scenario& scenario) {
   std::map<std::string, Carrier> carriers;
   for (const SonarCarrier& found : load_sonar_carriers(scenario)) {
@@ -56,7 +56,7 @@ std::map<std::string, Carrier> carriers_of(const BridgeRequest& request, const S
 
 int run(const BridgeRequest& request) {
   end_when_asked(IgnoredInterrupt::kEnds);
-  take_gz_environment();
+  copy_gz_environment();
   const bool quiet = request.bridge.quiet;
   const Log log = [quiet](Severity severity, const std::string& text) {
     if (severity == Severity::kWarning) {
@@ -70,10 +70,10 @@ int run(const BridgeRequest& request) {
   options.live.driven = true;
   options.live.followed = true;
   options.live.clocked = request.clock != "wall";
-  GazeboRoad road;
-  Bridge bridge(options, road, MessageForm::kGazebo);
+  GazeboTransport transport;
+  Bridge bridge(options, transport, MessageForm::kGazebo);
   note_when_asked(IgnoredInterrupt::kEnds);
-  RoadLoop loop(bridge.report());
+  EventLoop loop(bridge.report());
   const Scenario scenario = load_scenario(options.scenario, options.settings);
   bridge.start();
   GazeboFollower follower(

@@ -1,4 +1,4 @@
-// scene_keeper.cpp -- compares a Gazebo world with what was added of it.
+// scene_keeper.cpp -- compares a Gazebo world with the objects added so far.
 
 #include "gazebo/scene_keeper.h"
 
@@ -24,7 +24,7 @@ std::string SceneKeeper::material_of(const std::string& name) const {
   return found == materials_.end() ? "" : found->second;
 }
 
-// Whether a visual is still in the scene as it should be.
+// Whether a visual in the scene is up to date.
 bool SceneKeeper::is_as_before(const GazeboWorld& world, Id id, const GazeboWorld::Entity& entity, const Kept& kept,
                                bool is_left_out) {
   if (!(kept.visual == *entity.visual) || kept.name != entity.name || (is_left_out && kept.made)) {
@@ -45,7 +45,7 @@ SceneKeeper::Change SceneKeeper::update(const GazeboWorld& world, const std::set
   const auto is_left_out = [&](Id id) {
     return std::ranges::any_of(left_out, [&](Id carrier) { return world.is_in(id, carrier); });
   };
-  // Nothing is kept before all could be made.
+  // Stored only after all could be made.
   LiveObjects change;
   std::set<Id> gone;
   for (const auto& [id, kept] : kept_) {
@@ -78,8 +78,8 @@ SceneKeeper::Change SceneKeeper::update(const GazeboWorld& world, const std::set
       continue;
     }
     if (const std::string* reason = std::get_if<std::string>(&entity.visual->shape)) {
-      if (told_.insert(entity.name).second) {
-        log(Severity::kWarning, fmt::format("{}: visual '{}' is left out: {}", name, printable(entity.name), *reason));
+      if (warned_.insert(entity.name).second) {
+        log(Severity::kWarning, fmt::format("{}: visual '{}' is skipped: {}", name, printable(entity.name), *reason));
       }
       continue;
     }

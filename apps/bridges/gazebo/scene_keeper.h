@@ -1,4 +1,4 @@
-// scene_keeper.h -- keeps the objects of a LiveLoop as a Gazebo world has them.
+// scene_keeper.h -- keeps the objects of a LiveLoop in step with a Gazebo world.
 
 #pragma once
 
@@ -23,19 +23,19 @@ class SceneKeeper {
   SceneKeeper(WorldParts parts, std::map<std::string, std::string> materials)
       : parts_(std::move(parts)), materials_(std::move(materials)) {}
 
-  /// How many objects changed.
+  /// Numbers of changed objects.
   struct Change {
     std::size_t removed = 0, added = 0;
   };
 
-  /// Adds visuals that are new, removes those that are gone, and makes those movable that stand elsewhere than before.
-  /// @param left_out  What carries a sonar: visuals in it are left out.
+  /// Adds new visuals, removes old ones, and makes those movable that have moved.
+  /// @param left_out  Entities that carry a sonar; their visuals are not added.
   /// @param name      Of the world, for messages.
-  /// @throws Error with WorldOptions::strict for a visual that cannot be made.
+  /// @throws Error with WorldOptions::strict for a visual that cannot be converted.
   Change update(const GazeboWorld& world, const std::set<Id>& left_out, const std::string& name, LiveLoop& loop,
                 const Log& log);
 
-  /// Where all objects are that move.
+  /// Poses of all moving objects.
   [[nodiscard]] std::vector<MovedObject> moved(const GazeboWorld& world) const;
 
   [[nodiscard]] std::size_t object_count() const;
@@ -46,10 +46,10 @@ class SceneKeeper {
   struct Kept {
     GazeboVisual visual;
     std::string name;
-    Pose world_from_part;  // When it was added.
+    Pose world_from_part;  // At the time of adding.
     Pose part_from_mesh;
     bool moving = false;
-    bool made = false;  // Else it cannot be, or is not to be.
+    bool made = false;  // False if it cannot be converted or carries a sonar.
   };
 
   [[nodiscard]] bool is_as_before(const GazeboWorld& world, Id id, const GazeboWorld::Entity& entity, const Kept& kept,
@@ -59,8 +59,8 @@ class SceneKeeper {
   WorldParts parts_;
   std::map<std::string, std::string> materials_;
   std::map<Id, Kept> kept_;
-  std::set<Id> restless_;  // Static ones that moved.
-  std::set<std::string> told_;
+  std::set<Id> restless_;  // Static visuals that moved.
+  std::set<std::string> warned_;
 };
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// sonar_carriers.cpp -- finds carriers by their names, and their velocities from two poses each.
+// sonar_carriers.cpp -- finds carriers by name, and their velocities from two poses.
 
 #include "gazebo/sonar_carriers.h"
 
@@ -12,7 +12,7 @@
 
 namespace insonify {
 
-// Null where nothing carries it.
+// Null if nothing carries it.
 const Carrier* SonarCarriers::carrier_of(const std::string& sonar) const {
   for (const std::string& name : {sonar, std::string()}) {
     if (const auto found = carriers_.find(name); found != carriers_.end()) {
@@ -34,7 +34,7 @@ std::set<SonarCarriers::Id> SonarCarriers::ids(const std::vector<SonarConfig>& s
 }
 
 Twist SonarCarriers::twist_of(const std::string& sonar, const Pose& pose, double stamp) {
-  constexpr double kLongest = 0.5;  // Between poses that a velocity follows from [s].
+  constexpr double kLongest = 0.5;  // Longest interval between poses for a velocity [s].
   Seen& seen = seen_.try_emplace(sonar, Seen{.pose = pose, .stamp = stamp, .twist = {}}).first->second;
   const double passed = stamp - seen.stamp;
   if (passed > 0 || passed < -kLongest) {

@@ -1,5 +1,5 @@
-// sonar_carriers.h -- the models and links of a Gazebo world that carry the sonars: which they are, where, and how
-// fast.
+// sonar_carriers.h -- the models and links of a Gazebo world that carry the sonars, with their poses and
+// velocities.
 
 #pragma once
 
@@ -16,27 +16,27 @@ namespace insonify {
 /// A model or link that carries a sonar.
 struct Carrier {
   std::string name;           ///< In full: "rov::base_link".
-  Pose carrier_from_vehicle;  ///< The frame that the sonar's position and orientation are in.
+  Pose carrier_from_vehicle;  ///< Frame of the sonar's position and orientation.
 };
 
-/// Carriers by the names of their sonars. The entry "" is for sonars without one of their own; a sonar that nothing
-/// carries is on the scenario's trajectory.
+/// Carriers by sonar name. The entry "" applies to sonars without an entry; a sonar without a carrier follows the
+/// scenario's trajectory.
 class SonarCarriers {
  public:
   using Id = GazeboWorld::Id;
 
   explicit SonarCarriers(std::map<std::string, Carrier> carriers) : carriers_(std::move(carriers)) {}
 
-  /// Those that are in the world, for some sonars.
+  /// Ids of the given sonars' carriers that exist in the world.
   [[nodiscard]] std::set<Id> ids(const std::vector<SonarConfig>& sonars, const GazeboWorld& world) const;
 
-  /// Where the carriers of all sonars are. Velocities follow from the poses of two calls, where the scenario has
-  /// motion_in_ping.
+  /// Poses of the carriers of all sonars. With motion_in_ping, velocities follow from the poses of two
+  /// calls.
   /// @param stamp  Time of the world's newest poses [s].
-  /// @throws Error where a carrier is not in the world.
+  /// @throws Error if a carrier is not in the world.
   [[nodiscard]] std::vector<CarriedSonar> poses(const LiveWorld& live, const GazeboWorld& world, double stamp);
 
-  /// Forgets the poses that velocities follow from, as after a start of Gazebo.
+  /// Discards the poses for velocities, as after a restart of Gazebo.
   void forget_poses() { seen_.clear(); }
 
  private:

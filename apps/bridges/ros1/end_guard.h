@@ -1,4 +1,4 @@
-// end_guard.h -- limits the time that the end of a program takes.
+// end_guard.h -- limits the time that a program takes to exit.
 
 #pragma once
 
@@ -15,11 +15,11 @@
 
 namespace insonify {
 
-/// Ends the program, with success, unless it is destroyed in time. A roscore that is there but does not answer holds
-/// calls of roscpp up for minutes.
+/// Exits the program, with success, unless it is destroyed in time. A roscore that runs but does not answer blocks
+/// calls of roscpp for minutes.
 class EndGuard {
  public:
-  /// @param last_words  Called before, unless said() was.
+  /// @param last_words  Called before exiting, unless said() was.
   explicit EndGuard(std::function<void()> last_words) : last_words_(std::move(last_words)) {}
   ~EndGuard() {
     {

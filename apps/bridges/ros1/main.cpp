@@ -1,4 +1,4 @@
-// main.cpp -- insonify-bridge-ros1: a scenario's pings as topics of ROS 1.
+// main.cpp -- insonify-bridge-ros1: publishes a scenario's pings as ROS 1 topics.
 
 #include <fmt/format.h>
 #include <ros/init.h>
@@ -15,35 +15,35 @@
 #include "console/stop.h"
 #include "insonify/messages.h"
 #include "insonify/printable.h"
-#include "road/bridge_program.h"
-#include "road/road_loop.h"
 #include "ros1/end_guard.h"
 #include "ros1/ros_inputs.h"
 #include "ros1/ros_master.h"
 #include "ros1/ros_parameters.h"
-#include "ros1/ros_road.h"
 #include "ros1/ros_settings.h"
 #include "ros1/ros_topics.h"
+#include "ros1/ros_transport.h"
 #include "ros1/ros_watch.h"
+#include "transport/bridge_program.h"
+#include "transport/event_loop.h"
 
 namespace insonify {
 namespace {
 
-// Tells mistakes in the scenario before there is a roscore. What can be read once only is left for later.
+// Reports errors in the scenario without a roscore. Input that can be read only once, such as a pipe, is read later.
 void check_scenario(const BridgeOptions& options) {
   if (std::filesystem::is_regular_file(options.scenario)) {
     (void)scenario_of(options);
   }
 }
 
-// --clock, or else what all nodes go by.
+// --clock, or else the parameter that all nodes follow.
 bool is_simulated(const std::string& clock) {
   bool use_sim_time = false;
   ros::param::get("/use_sim_time", use_sim_time);
   return clock.empty() ? use_sim_time : clock == "simulated";
 }
 
-// With the frame of a sonar as the vehicle's, the node would follow what it publishes itself.
+// If the vehicle's frame were a sonar's, the node would follow its own transforms.
 void check_frame(const std::string& vehicle, const LiveWorld& world) {
   for (const SonarConfig& sonar : world.sonars) {
     const std::string name = message_source(world.scenario, sonar).name;
@@ -56,8 +56,8 @@ void check_frame(const std::string& vehicle, const LiveWorld& world) {
   }
 }
 
-// roscpp subscribes to this parameter when a node logs for the first time. Where that is to say that another node has
-// taken its name, roscore would give the name back to it and end the other.
+// roscpp subscribes to this parameter when a node first logs. If that log message said that another node has taken the
+// name, roscore would give the name back to this node and end the other.
 void ask_what_logging_asks() {
   bool ignored = false;
   ros::param::getCached("/rosout_disable_topics_generation", ignored);
@@ -78,8 +78,8 @@ int run(const BridgeRequest& given, int& argc, char** argv) {
   options.live.driven = !request.odometry.empty() || !request.tf.empty();
   options.live.clocked = is_simulated(request.clock);
 
-  RosRoad road(parameters.transforms);
-  Bridge bridge(options, road, MessageForm::kRos1);
+  RosTransport transport(parameters.transforms);
+  Bridge bridge(options, transport, MessageForm::kRos1);
   RosInputs inputs({.odometry = request.odometry,
                     .tf = request.tf,
                     .world_frame = options.messages.world_frame,
@@ -92,7 +92,7 @@ int run(const BridgeRequest& given, int& argc, char** argv) {
   RosSettings settings(bridge);
   inputs.start();
   note_when_asked(IgnoredInterrupt::kEnds);
-  RoadLoop loop(bridge.report());
+  EventLoop loop(bridge.report());
   RosWatch watch(master, pid, settings.services(), [&loop] { loop.context().stop(); });
   if (!options.quiet) {
     say("node {} of ROS 1, roscore at {}\n", ros::this_node::getName(), master.uri());

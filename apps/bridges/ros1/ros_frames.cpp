@@ -1,4 +1,4 @@
-// ros_frames.cpp -- collects transforms and composes them at the newest time that all have.
+// ros_frames.cpp -- collects transforms and composes them at the newest time common to all.
 
 #include "ros1/ros_frames.h"
 
@@ -14,7 +14,7 @@
 namespace insonify {
 namespace {
 
-constexpr double kMostAhead = 2;  // By which a transform may be later than the simulated time [s].
+constexpr double kMostAhead = 2;  // Largest lead of a transform over simulated time [s].
 
 }  // namespace
 
@@ -38,9 +38,9 @@ void RosFrames::State::receive(const Event& event, bool is_static) {
   }
   for (const geometry_msgs::TransformStamped& each : event.getConstMessage()->transforms) {
     if (!is_static && now && each.header.stamp.toSec() > *now + kMostAhead) {
-      continue;  // Sent before the time was set back: beside it all that follow would be too old for tf.
+      continue;  // From before a time reset: tf would reject all later ones as too old.
     }
-    frames.setTransform(each, publisher, is_static);  // Says itself what is wrong with one.
+    frames.setTransform(each, publisher, is_static);  // Logs invalid ones itself.
   }
   if (!frames.canTransform(world, vehicle, ros::Time(0))) {
     return;
@@ -50,7 +50,7 @@ void RosFrames::State::receive(const Event& event, bool is_static) {
   const auto& orientation = found.transform.rotation;
   RosPlace place;
   place.frame = world;
-  place.stamp = found.header.stamp.toSec();  // 0 where all are static.
+  place.stamp = found.header.stamp.toSec();  // 0 if all are static.
   place.position = {position.x, position.y, position.z};
   place.orientation = {orientation.w, orientation.x, orientation.y, orientation.z};
   if (!newest || newest->stamp != place.stamp || newest->position != place.position ||
@@ -63,7 +63,7 @@ void RosFrames::State::receive(const Event& event, bool is_static) {
 RosFrames::RosFrames(ros::NodeHandle& node, const std::string& world, const std::string& vehicle,
                      std::function<void(const RosPlace&)> take)
     : state_(std::make_unique<State>()) {
-  constexpr int kMany = 100;  // Messages that wait.
+  constexpr int kMany = 100;  // Queue length.
   state_->world = bare_frame(world);
   state_->vehicle = bare_frame(vehicle);
   state_->take = std::move(take);
@@ -83,7 +83,7 @@ const ros::Subscriber& RosFrames::subscriber() const {
 }
 
 void RosFrames::take_time(double now) {
-  if (state_->now && now < *state_->now) {  // A simulation or a recording begins again.
+  if (state_->now && now < *state_->now) {  // A simulation or a bag restarted.
     state_->frames.clear();
     state_->newest.reset();
   }

@@ -1,4 +1,4 @@
-// ros_frames.h -- where tf has a vehicle. As ros_topics.h, for C++17 and C++20.
+// ros_frames.h -- the pose of a vehicle in tf. For C++17 and C++20, as ros_topics.h.
 
 #pragma once
 
@@ -15,8 +15,8 @@ namespace insonify {
 /// Reads /tf and /tf_static.
 class RosFrames {
  public:
-  /// @param take  Called whenever there is a newer time at which all transforms from the world to the vehicle are
-  ///              known, in a thread of the node's callback queue.
+  /// @param take  Called for each newer time at which all transforms from world to vehicle are known, in a thread of
+  /// the node's callback queue.
   RosFrames(ros::NodeHandle& node, const std::string& world, const std::string& vehicle,
             std::function<void(const RosPlace&)> take);
   ~RosFrames();
@@ -26,13 +26,13 @@ class RosFrames {
   /// The subscriber to /tf.
   [[nodiscard]] const ros::Subscriber& subscriber() const;
 
-  // The rest must be called from that thread.
+  // The functions below must be called from that thread.
 
-  /// Tells the simulated time. Where it is set back, all but the static transforms are forgotten. Transforms that are
-  /// later by more than 2 s do not count.
+  /// Sets the simulated time. Going back discards all but the static transforms. Transforms more than 2 s ahead are
+  /// ignored.
   void take_time(double now);
-  /// The highest frame above the vehicle's while they do not lead to the world; "" where there is no such frame, and
-  /// where all is well.
+  /// The topmost frame above the vehicle's if it is not connected to the world; "" if there is none, or if it is
+  /// connected.
   [[nodiscard]] std::string dead_end() const;
 
  private:

@@ -1,4 +1,4 @@
-// ros_inputs.cpp -- takes poses from nav_msgs/Odometry or tf, and time from /clock.
+// ros_inputs.cpp -- reads poses from nav_msgs/Odometry or tf, and time from /clock.
 
 #include "ros1/ros_inputs.h"
 
@@ -13,8 +13,8 @@
 namespace insonify {
 namespace {
 
-// Programs that keep orientations in single precision, or add small turns up, let their norm drift: so far they are
-// taken for what is meant.
+// The norm drifts in programs that store orientations in single precision or accumulate small rotations; such small
+// drift is accepted.
 Eigen::Quaterniond without_drift(const Eigen::Quaterniond& given) {
   constexpr double kDrift = 0.01;
   return std::abs(given.norm() - 1) < kDrift ? given.normalized() : given;
@@ -54,12 +54,12 @@ void RosInputs::end() {
 }
 
 void RosInputs::take_odometry(const RosPlace& place) {
-  if (!place.frame.empty() && place.frame != options_.world_frame && !told_frame_) {
+  if (!place.frame.empty() && place.frame != options_.world_frame && !warned_of_frame_) {
     complain(fmt::format(
         "{}: its poses are in the frame {}; they are taken for poses in the world's, {} "
         "(--world-frame {} names it so)",
         options_.odometry, printable(place.frame), printable(options_.world_frame), printable(place.frame)));
-    told_frame_ = true;
+    warned_of_frame_ = true;
   }
   drive(place);
 }
@@ -75,38 +75,38 @@ void RosInputs::drive(const RosPlace& place) {
   const Pose pose{place.position, without_drift(place.orientation)};
   std::string refusal;
   try {
-    // A message without a stamp is of now; simulated time begins at 0.
+    // A message without a stamp counts as current; simulated time starts at 0.
     loop_.drive({.world_from_vehicle = pose,
                  .twist = {pose.orientation * place.linear, pose.orientation * place.angular},
                  .stamp = place.stamp != 0 || options_.clock ? place.stamp : unix_time()});
   } catch (const Error& error) {
     refusal = fmt::format("{}: {}", frames_ ? "/tf" : options_.odometry, error.what());
   }
-  if (!refusal.empty() && refusal_.empty()) {  // Once, and not with each message.
+  if (!refusal.empty() && refusal_.empty()) {  // Once, not for every message.
     complain(refusal);
   }
   refusal_ = refusal;
 }
 
-// Says who is missing, after a time in which those who are there have been found, and when they have come.
+// Reports topics without a publisher, once discovery has had time to complete, and publishers that appear later.
 void RosInputs::look_for_publishers() {
   const bool patient = Clock::now() - begin_ < std::chrono::seconds(3);
   for (Missed& each : missed_) {
     const bool there = each.subscriber.getNumPublishers() > 0;
-    if (!there && !each.told && (each.seen || !patient)) {
+    if (!there && !each.reported && (each.seen || !patient)) {
       complain(fmt::format("{}: nobody publishes {} to it{}", each.subscriber.getTopic(), each.type,
                            each.seen ? " any more" : ""));
-      each.told = true;
-    } else if (there && each.told) {
+      each.reported = true;
+    } else if (there && each.reported) {
       complain(fmt::format("{}: is published now", each.subscriber.getTopic()));
-      each.told = false;
+      each.reported = false;
     }
     each.seen = each.seen || there;
   }
-  if (frames_ && !patient && !told_dead_end_ && !frames_->dead_end().empty()) {
+  if (frames_ && !patient && !warned_of_dead_end_ && !frames_->dead_end().empty()) {
     complain(fmt::format("/tf: leads from {} up to {}, not to {}", printable(options_.tf),
                          printable(frames_->dead_end()), printable(options_.world_frame)));
-    told_dead_end_ = true;
+    warned_of_dead_end_ = true;
   }
 }
 

@@ -1,4 +1,4 @@
-// ros_inputs.h -- what the node reads from ROS 1: poses and time.
+// ros_inputs.h -- reads poses and time from ROS 1.
 
 #pragma once
 
@@ -19,16 +19,16 @@
 namespace insonify {
 
 struct RosInputOptions {
-  std::string odometry = {};     ///< Topic; "" for none.
-  std::string tf = {};           ///< Frame of the vehicle; "" for none.
-  std::string world_frame = {};  ///< Its transform is looked for from this frame on.
-  bool clock = false;            ///< Whether /clock tells the time.
+  std::string odometry = {};     ///< Topic; "": none.
+  std::string tf = {};           ///< Frame of the vehicle; "": none.
+  std::string world_frame = {};  ///< Frame in which the vehicle's pose is looked up.
+  bool clock = false;            ///< Whether time comes from /clock.
 };
 
-/// Passes what it reads to a LiveLoop, in a thread of its own.
+/// Passes messages to a LiveLoop, in a thread of its own.
 class RosInputs {
  public:
-  /// @param loop  Must live until end(). With poses it must be driven, with the clock clocked.
+  /// @param loop  Must live until end(); driven if poses are read, clocked if the clock is.
   RosInputs(const RosInputOptions& options, LiveLoop& loop);
   ~RosInputs() { end(); }
   RosInputs(const RosInputs&) = delete;
@@ -40,12 +40,12 @@ class RosInputs {
  private:
   using Clock = std::chrono::steady_clock;
 
-  // A topic whose publishers are missed when they are not there.
+  // A topic that needs a publisher.
   struct Missed {
     ros::Subscriber subscriber;
     std::string type;
-    bool seen = false;  // Whether there ever were publishers.
-    bool told = false;  // Whether the user knows that there are none.
+    bool seen = false;      // Whether there was a publisher at any time.
+    bool reported = false;  // Whether the missing publisher was reported.
   };
 
   void take_odometry(const RosPlace& place);
@@ -62,9 +62,9 @@ class RosInputs {
   ros::AsyncSpinner spinner_{1};
   Clock::time_point begin_ = Clock::now();
 
-  // Used by the thread of the callbacks alone.
-  bool told_frame_ = false, told_dead_end_ = false;
-  std::string refusal_;  // Why the last pose was no good.
+  // Used by the callback thread only.
+  bool warned_of_frame_ = false, warned_of_dead_end_ = false;
+  std::string refusal_;  // Why the last pose was rejected; "" if it was not.
 };
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// ros_master.cpp -- asks roscore by XML-RPC.
+// ros_master.cpp -- queries roscore by XML-RPC.
 
 #include "ros1/ros_master.h"
 
@@ -23,7 +23,7 @@ namespace {
 constexpr const char* kCaller = "/insonify";
 constexpr int kDoneCode = 1;
 
-// The answer of roscore: a code, a text, a value. Empty where there is none.
+// roscore's response: code, text and value. Empty if there is none.
 std::optional<XmlRpc::XmlRpcValue> ask(const std::string& host, int port, const char* method,
                                        const XmlRpc::XmlRpcValue& request) {
   XmlRpc::XmlRpcClient client(host.c_str(), port, "/");

@@ -1,4 +1,4 @@
-// ros_parameters.cpp -- reads parameters from roscore and puts them into the words of a command line.
+// ros_parameters.cpp -- reads parameters from roscore and turns them into command-line arguments.
 
 #include "ros1/ros_parameters.h"
 
@@ -18,7 +18,7 @@
 #include "insonify/files.h"
 #include "insonify/messages.h"
 #include "insonify/printable.h"
-#include "road/bridge_program.h"
+#include "transport/bridge_program.h"
 
 namespace insonify {
 namespace {
@@ -56,13 +56,13 @@ void warn_of(const std::string& name) {
   complain(fmt::format("warning: nothing reads the parameter {}/{}", ros::this_node::getName(), printable(name)));
 }
 
-// "range", and "fls/range" of sonar fls, as settings of the scenario. Gains are read elsewhere.
+// Settings of the scenario from "range", and "fls/range" of sonar fls. Gains are read elsewhere.
 std::vector<std::string> range_settings(XmlRpcValue& parameters, const BridgeOptions& options) {
   std::vector<std::string> settings;
   if (parameters.hasMember("range")) {
     settings.push_back("max_range=" + text_of("range", parameters["range"]));
   }
-  std::map<std::string, std::size_t> sonars;  // By the names of their topics.
+  std::map<std::string, std::size_t> sonars;  // By topic name.
   for (auto& [name, value] : parameters) {
     if (value.getType() != XmlRpcValue::TypeStruct) {
       continue;
@@ -103,7 +103,7 @@ RosParameters with_parameters(const std::vector<std::string>& words) {
   }
   std::set<std::string> known = {"publish_tf", "range", "gain"};
   RosParameters result;
-  std::map<std::string, std::string> taken;  // Names of parameters by the options that they stand for.
+  std::map<std::string, std::string> taken;  // Parameter names by their option.
   const auto value_of = [&](const std::string& option) {
     std::string name = option;
     std::ranges::replace(name, '-', '_');
@@ -119,7 +119,7 @@ RosParameters with_parameters(const std::vector<std::string>& words) {
   } catch (const InputError& error) {
     for (const auto& [option, name] : taken) {
       if (std::string_view(error.what()).starts_with("--" + option)) {
-        throw InputError(fmt::format("parameter {0}/{1}: {2}; rosparam delete {0}/{1} takes it away",
+        throw InputError(fmt::format("parameter {0}/{1}: {2}; rosparam delete {0}/{1} removes it",
                                      ros::this_node::getName(), name, error.what()));
       }
     }

@@ -13,7 +13,7 @@ namespace {
 
 using dynamic_reconfigure::Config;
 
-// Clients want each parameter to be in a group.
+// Clients require each parameter to be in a group.
 constexpr const char* kGroup = "Default";
 
 template <typename Value>

@@ -1,4 +1,4 @@
-// ros_reconfigure.h -- a server of dynamic_reconfigure for numbers. As ros_topics.h, for C++17 and C++20.
+// ros_reconfigure.h -- a dynamic_reconfigure server for numbers. For C++17 and C++20, as ros_topics.h.
 
 #pragma once
 
@@ -24,9 +24,9 @@ class RosReconfigure {
   using Read = std::function<std::vector<RosSetting>()>;
   using Set = std::function<void(const std::string& name, double value)>;
 
-  /// @param node  Its namespace holds them; requests are handled by its callback queue.
-  /// @param read  The settings as they are now.
-  /// @param set   Changes one; what it throws goes back to who asked.
+  /// @param node  Provides the namespace and the callback queue that handles requests.
+  /// @param read  Returns the current settings.
+  /// @param set   Changes one; exceptions are returned to the client.
   RosReconfigure(ros::NodeHandle& node, Read read, Set set);
   ~RosReconfigure();
   RosReconfigure(const RosReconfigure&) = delete;

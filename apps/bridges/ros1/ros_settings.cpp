@@ -1,4 +1,4 @@
-// ros_settings.cpp -- serves what rqt_reconfigure and dynparam ask for, and settings on the topic ~set.
+// ros_settings.cpp -- serves rqt_reconfigure and dynparam, and settings on the topic ~set.
 
 #include "ros1/ros_settings.h"
 
@@ -12,8 +12,8 @@
 #include "console/outcome.h"
 #include "insonify/messages.h"
 #include "insonify/printable.h"
-#include "road/set_request.h"
 #include "ros1/ros_topics.h"
+#include "transport/set_request.h"
 
 namespace insonify {
 namespace {
@@ -28,7 +28,7 @@ void check_gain(double gain_db) {
   }
 }
 
-// Waits until the loop has done it. @throws Error where it refuses.
+// Waits until the loop has applied it. @throws Error if the loop rejects it.
 void set_now(LiveLoop& loop, std::string setting) {
   const auto answer = std::make_shared<std::promise<std::string>>();
   loop.set({std::move(setting)}, [answer](const std::string& error) { answer->set_value(error); });
@@ -53,7 +53,7 @@ void RosSonarSettings::start(double gain_db) {
       node_, [this] { return read(); }, [this](const std::string& name, double value) { set(name, value); });
 }
 
-// The limits of the range are those of a slider: other programs may ask for more.
+// The limits of the range are those of the slider; other programs may set more.
 std::vector<RosSetting> RosSonarSettings::read() const {
   constexpr double kLeastShare = 0.05, kMostTimes = 4;
   std::vector<RosSetting> settings = {

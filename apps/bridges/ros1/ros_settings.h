@@ -12,19 +12,19 @@
 #include <string>
 #include <vector>
 
-#include "road/bridge.h"
 #include "ros1/ros_reconfigure.h"
+#include "transport/bridge.h"
 
 namespace insonify {
 
 /// Range and gain of one sonar, as parameters of dynamic_reconfigure.
 class RosSonarSettings {
  public:
-  /// @param node   Its namespace holds them.
+  /// @param node   Provides the namespace.
   /// @param sonar  Index into the world's sonars.
   RosSonarSettings(ros::NodeHandle node, std::size_t sonar, Bridge& bridge);
 
-  /// @throws InputError for a gain that is wrong.
+  /// @throws InputError for an invalid gain.
   void start(double gain_db);
 
   [[nodiscard]] std::string service() const { return server_->service(); }
@@ -38,23 +38,23 @@ class RosSonarSettings {
   std::size_t sonar_;
   Bridge& bridge_;
   SonarConfig given_;  // At the start.
-  bool has_gain_;      // Whether values are decibels.
+  bool has_gain_;      // Whether image values are decibels.
   double gain_db_ = 0;
   std::unique_ptr<RosReconfigure> server_;
 };
 
-/// The settings of all sonars, in a thread of their own: a change of range waits until the loop has done it.
+/// The settings of all sonars, in a thread of its own: a change of range waits until the loop has applied it.
 class RosSettings {
  public:
-  /// The parameters ~NAME/gain, or else ~gain, tell the gains at the start.
+  /// Initial gains come from the parameters ~NAME/gain, or else ~gain.
   /// @param bridge  Must be started, and outlive this.
-  /// @throws InputError for a parameter that is wrong.
+  /// @throws InputError for an invalid parameter.
   explicit RosSettings(Bridge& bridge);
   ~RosSettings() { end(); }
   RosSettings(const RosSettings&) = delete;
   RosSettings& operator=(const RosSettings&) = delete;
 
-  /// After Bridge::end(), which answers what waits.
+  /// To be called after Bridge::end(), which answers pending requests.
   void end() { spinner_.stop(); }
 
   /// Names of the services.

@@ -1,4 +1,4 @@
-// ros_topics.cpp -- translates messages of ROS 1 into plain types and back.
+// ros_topics.cpp -- converts ROS 1 messages to plain types and back.
 
 #include "ros1/ros_topics.h"
 
@@ -12,7 +12,7 @@
 namespace insonify {
 namespace {
 
-constexpr int kNewest = 1, kSome = 10;  // Messages that wait.
+constexpr int kNewest = 1, kSome = 10;  // Queue lengths.
 
 Eigen::Vector3d vector(const geometry_msgs::Vector3& from) {
   return {from.x, from.y, from.z};

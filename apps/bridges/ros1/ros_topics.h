@@ -1,4 +1,4 @@
-// ros_topics.h -- topics of messages whose headers are no C++20, told in plain types.
+// ros_topics.h -- ROS 1 topics as plain types, since the headers of their messages are not valid C++20.
 //
 // ros_topics.cpp, ros_frames.cpp and ros_reconfigure.cpp are compiled as C++17, and their headers can be read as both.
 
@@ -13,21 +13,21 @@
 
 namespace insonify {
 
-/// Where a vehicle is.
+/// Pose and velocity of a vehicle.
 struct RosPlace {
-  std::string frame;  ///< That the position is in.
-  double stamp = 0;   ///< [s], 0 for none.
+  std::string frame;  ///< Frame of the pose.
+  double stamp = 0;   ///< [s]; 0: none.
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< As it came: perhaps not of length 1.
-  Eigen::Vector3d linear = Eigen::Vector3d::Zero(),                 ///< Velocity along the axes of the vehicle [m/s].
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< As received; its norm may differ from 1.
+  Eigen::Vector3d linear = Eigen::Vector3d::Zero(),                 ///< Velocity in the vehicle's frame [m/s].
       angular = Eigen::Vector3d::Zero();                            ///< [rad/s]
 };
 
-/// Each calls a function with the newest message, in a thread of the node's callback queue.
+/// Each of these calls a function with the newest message, in a thread of the node's callback queue.
 /// @param topic  nav_msgs/Odometry
 [[nodiscard]] ros::Subscriber subscribe_odometry(ros::NodeHandle& node, const std::string& topic,
                                                  std::function<void(const RosPlace&)> take);
-/// @param topic  rosgraph_msgs/Clock, told in seconds.
+/// @param topic  rosgraph_msgs/Clock; passed in seconds.
 [[nodiscard]] ros::Subscriber subscribe_clock(ros::NodeHandle& node, const std::string& topic,
                                               std::function<void(double)> take);
 /// @param topic  std_msgs/String
@@ -35,10 +35,10 @@ struct RosPlace {
                                              std::function<void(const std::string&)> take);
 
 /// @param topic  std_msgs/String
-/// @return       Publishes, from any thread.
+/// @return       A function that publishes, from any thread.
 [[nodiscard]] std::function<void(const std::string&)> advertise_text(ros::NodeHandle& node, const std::string& topic);
 
-/// Frames were written with a slash in front in the first years of ROS.
+/// Early ROS wrote frames with a leading slash.
 [[nodiscard]] std::string bare_frame(const std::string& frame);
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// ros_watch.cpp -- tells a new roscore what the old one knew of this node.
+// ros_watch.cpp -- registers this node's topics and services with a restarted roscore.
 
 #include "ros1/ros_watch.h"
 
@@ -32,8 +32,8 @@ XmlRpcValue request_of(const Values&... values) {
   return request;
 }
 
-// roscore's answer to a subscriber holds the publishers, of which ROS is told as roscore does later on. An empty list
-// would cut connections to publishers that the new roscore does not know yet.
+// roscore's response to a subscription lists the publishers. They are passed to ROS as roscore does in later updates.
+// An empty list would drop connections to publishers that the new roscore does not know yet.
 void connect_to(const std::string& topic, const XmlRpcValue& publishers, const std::string& own_uri) {
   if (publishers.getType() == XmlRpcValue::TypeArray && publishers.size() > 0) {
     (void)RosMaster(own_uri).call("publisherUpdate", request_of(std::string("/master"), topic, publishers));
@@ -79,7 +79,7 @@ void RosWatch::look() {
     const auto pid = master_.pid();
     const auto registration = pid ? master_.lookup(ros::this_node::getName()) : std::nullopt;
     if (ros::isShuttingDown()) {
-      // It is taken out of roscore just now.
+      // It is being unregistered from roscore.
     } else if (registration && registration->known && registration->uri != own_uri_) {
       complain(fmt::format("node {} ends: another program has its name now", ros::this_node::getName()));
       on_end_();
@@ -111,7 +111,7 @@ void RosWatch::register_again() const {
   names.clear();
   topics->getSubscribedTopics(names);
   for (const std::string& topic : names) {
-    // The type is that of the publishers.
+    // The type comes from the publishers.
     if (const auto publishers =
             master_.call("registerSubscriber", request_of(name, topic, std::string("*"), own_uri_))) {
       connect_to(topic, *publishers, own_uri_);

@@ -1,4 +1,4 @@
-// ros_watch.h -- keeps a node known to roscore, which may be started again.
+// ros_watch.h -- keeps a node registered with roscore, also after roscore restarts.
 
 #pragma once
 
@@ -13,14 +13,14 @@
 
 namespace insonify {
 
-/// Looks twice a second, in a thread of its own, whether roscore is still the same process and knows this node. A
-/// roscore that was started again knows none of the node's topics and services, or the last ones alone: then all are
-/// told to it. Connections to other nodes stay as they are.
+/// Checks twice a second, in a thread of its own, whether roscore is still the same process and knows this node. A
+/// restarted roscore knows none of the node's topics and services, or only the last ones: then all are registered
+/// again. Connections to other nodes stay open.
 class RosWatch {
  public:
-  /// @param pid       Of the roscore that was there before the first topic.
-  /// @param services  Names of services that are served.
-  /// @param on_end    Called when ROS ends this node: by `rosnode kill`, or since another one has taken its name.
+  /// @param pid       Process id of the roscore that ran before the first topic.
+  /// @param services  Names of the node's services.
+  /// @param on_end    Called when ROS shuts this node down: by `rosnode kill`, or because another node took its name.
   RosWatch(RosMaster master, int pid, std::vector<std::string> services, std::function<void()> on_end);
   ~RosWatch() { end(); }
   RosWatch(const RosWatch&) = delete;

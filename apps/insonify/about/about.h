@@ -1,4 +1,4 @@
-// about.h -- commands that tell what insonify knows: presets, keys, its version.
+// about.h -- commands that describe insonify: presets, keys, version.
 
 #pragma once
 

@@ -38,11 +38,11 @@ int list_all() {
   }
   print_table(rows);
   say("\n* mode when none is named. msis: one beam, turned; fls: the whole fan at once.\n"
-      "insonify sonars PRESET tells where each number comes from.\n");
+      "insonify sonars PRESET shows the source of each number.\n");
   return kDone;
 }
 
-int tell_one(const std::string& name, const std::string& mode) {
+int print_preset(const std::string& name, const std::string& mode) {
   const Preset preset = load_preset(name, mode);
   say("{}: {}, mode {} (modes: {})\n{}\n\n", preset.name, preset.title, mode.empty() ? preset.default_mode : mode,
       fmt::format("{}", fmt::join(preset.modes, ", ")), preset.file.string());
@@ -67,7 +67,7 @@ int sonars(const std::string& name, const std::string& mode) {
     if (name.empty() && !mode.empty()) {
       throw Error(fmt::format("--mode {} belongs to a preset, and none is named", mode));
     }
-    return name.empty() ? list_all() : tell_one(name, mode);
+    return name.empty() ? list_all() : print_preset(name, mode);
   });
 }
 

@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "road/bridge_options.h"
+#include "transport/bridge_options.h"
 
 namespace insonify {
 
 /// Becomes the program insonify-bridge-NAME, that beside this one or else the first on PATH.
 /// @param words  Its arguments.
-/// @throws Error where it was not built, or cannot be run.
+/// @throws Error if it was not built, or cannot be run.
 [[noreturn]] void become_bridge(const BridgeKind& kind, std::vector<std::string> words);
 
 }  // namespace insonify

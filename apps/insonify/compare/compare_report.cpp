@@ -97,7 +97,7 @@ void print_similarity(const Comparison& comparison) {
   const NormalisedSimilarity& normal = comparison.normalised;
   const std::array normalised = {number(normal.mse), number(normal.psnr), number(normal.ssim), number(normal.ms_ssim)};
   const std::vector<Measure> equal = measures(kEqual);
-  std::vector<Row> rows = {{"measure", "value", "0 to 1", "if equal", "tells"}};
+  std::vector<Row> rows = {{"measure", "value", "0 to 1", "if equal", "meaning"}};
   for (const Measure& measure : measures(comparison.similarity)) {
     const std::size_t i = rows.size() - 1;
     rows.push_back({std::string(measure.field.name), number(measure.value), i < normalised.size() ? normalised[i] : "",
@@ -121,7 +121,7 @@ Row control_row(const Control& control, const Similarity& ours) {
 }
 
 void print_controls(const Comparison& comparison) {
-  say("\nWhat pictures made of {} alone score, which know nothing of the scene:\n\n", comparison.a);
+  say("\nScores of controls made from {}, without content of the scene:\n\n", comparison.a);
   std::vector<Row> rows = {{"picture"}, {comparison.b}};
   for (const Measure& measure : measures(comparison.similarity)) {
     rows[0].emplace_back(measure.field.name);

@@ -32,7 +32,7 @@ std::filesystem::path find_recording(const std::filesystem::path& folder, const 
     names.push_back(name);
   }
   if (names.empty()) {
-    throw Error(fmt::format("{}: there is no recording (.h5, .mcap) in this folder", folder.string()));
+    throw Error(fmt::format("{}: there is not a recording (.h5, .mcap) in this folder", folder.string()));
   }
   const std::string wanted = sonar.empty() && names.size() == 1 ? names.front() : sonar;
   if (wanted.empty()) {
@@ -41,7 +41,7 @@ std::filesystem::path find_recording(const std::filesystem::path& folder, const 
   }
   if (!found.contains(wanted)) {
     throw Error(
-        fmt::format("{}: there is no recording of {}, only of {}", folder.string(), wanted, fmt::join(names, ", ")));
+        fmt::format("{}: there is not a recording of {}, only of {}", folder.string(), wanted, fmt::join(names, ", ")));
   }
   return found.at(wanted);
 }

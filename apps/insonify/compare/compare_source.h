@@ -33,7 +33,7 @@ class CompareSource {
   [[nodiscard]] std::string sonar() const { return recording_ ? recording_->sonar() : ""; }
   [[nodiscard]] bool is_calibrated() const { return recording_ && recording_->model() == "calibrated"; }
   [[nodiscard]] bool is_recording() const { return recording_.has_value(); }
-  /// Settings of a recording's sonar; absent where it has none that can be read, and for a picture.
+  /// Settings of a recording's sonar; absent if it has no readable ones, and for a picture.
   [[nodiscard]] std::optional<SonarConfig> sonar_config() const;
   [[nodiscard]] bool is_scan() const { return recording_ && recording_->beam_count() == 1; }
   [[nodiscard]] std::uint64_t ping_count() const { return recording_->ping_count(); }  ///< Only for a recording.

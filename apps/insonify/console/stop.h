@@ -9,7 +9,7 @@ namespace insonify {
 /// What a SIGINT means that was ignored at the start, as in what a shell's script starts with `&`.
 enum class IgnoredInterrupt {
   kStays,  ///< It stays ignored: the program ends by itself.
-  kEnds,   ///< It ends the program, which goes on until it is told to end.
+  kEnds,   ///< It ends the program, which runs until it is stopped.
 };
 
 /// From this call on these signals end the program at once with a one-line message: there are no results to keep yet.

@@ -10,17 +10,17 @@ namespace insonify {
 
 struct EmulateOptions {
   std::filesystem::path scenario;
-  std::string sonar;  ///< Name; "" for the first of the right type.
-  std::string high;   ///< Name of another for the high frequency mode; "" for that of the preset (oculus).
+  std::string sonar;  ///< Name; "": the first of the right type.
+  std::string high;   ///< Name of another for the high frequency mode; "": that of the preset (oculus).
   std::string address = "127.0.0.1";
-  int port = 0;                       ///< 0: any that is free.
-  bool serial = false;                ///< Whether to speak on a pseudo terminal too (ping360).
+  int port = 0;                       ///< 0: any free port.
+  bool serial = false;                ///< Whether to serve a pseudo terminal too (ping360).
   int threads = 0;                    ///< 0: one per processor.
   std::vector<std::string> settings;  ///< "key=value", in order.
   bool quiet = false;                 ///< Print only addresses, warnings and errors.
 };
 
-/// Until SIGINT or SIGTERM.
+/// Runs until SIGINT or SIGTERM.
 /// @return  kDone. @throws InputError for wrong input, Error for a failure while running
 int emulate_ping360(const EmulateOptions& options);
 int emulate_oculus(const EmulateOptions& options);

@@ -1,4 +1,4 @@
-// emulated_sonar.h -- one sonar of a scenario that pings when a protocol asks for it, at the time of the clock.
+// emulated_sonar.h -- one sonar of a scenario that pings on a protocol's request, in real time.
 
 #pragma once
 
@@ -9,42 +9,42 @@
 #include "insonify/messages.h"
 #include "insonify/scenario_requests.h"
 #include "insonify/simulator.h"
-#include "road/road_report.h"
+#include "transport/transport_report.h"
 
 namespace insonify {
 
 class EmulatedSonar {
  public:
   /// @param instrument  For messages: "ping360".
-  /// @throws InputError for a scenario that is wrong, and where there is no such sonar.
+  /// @throws InputError for an invalid scenario, or one without such a sonar.
   EmulatedSonar(const EmulateOptions& options, SonarType type, std::string_view instrument);
 
-  /// The sonar as the scenario has it.
+  /// The sonar as given in the scenario.
   [[nodiscard]] const SonarConfig& given() const { return given_; }
   [[nodiscard]] const Scenario& scenario() const { return scenario_; }
-  /// The sonar that EmulateOptions::high names; null where it names none.
+  /// The sonar named by EmulateOptions::high; null if none is.
   [[nodiscard]] const SonarConfig* high() const {
     return high_ < 0 ? nullptr : &scenario_.sonars[static_cast<std::size_t>(high_)];
   }
-  /// As Simulator::sonar() has it, with what set() has changed.
+  /// As Simulator::sonar(), with the changes of set().
   [[nodiscard]] const SonarConfig& config() const { return simulator_.sonar(index_); }
   [[nodiscard]] double sound_speed() const { return *config().assumed_sound_speed; }
-  /// What the darkest and the brightest value of images stand for.
+  /// Levels of the darkest and the brightest value of images.
   [[nodiscard]] MessageLevels levels() const;
 
   /// Changes the sonar, from the next ping on. @throws Error as Simulator::set_sonar().
   void set(const SonarConfig& config) { simulator_.set_sonar(index_, config); }
 
-  /// Makes a ping from where the scenario's trajectory has the vehicle after the seconds since the start.
+  /// Makes a ping from the vehicle's current place on the scenario's trajectory.
   /// @return  Valid until the next call. @throws Error as Simulator::ping(); Interrupted at SIGINT.
   const Ping& ping(std::optional<double> head_angle = {});
 
-  /// Time since the start, which is the time on the trajectory [s].
+  /// Time on the trajectory: time since the start [s].
   [[nodiscard]] double time_at(WallClock::time_point time) const {
     return std::chrono::duration<double>(time - start_).count();
   }
 
-  /// Time that the last ping took [s].
+  /// Computing time of the last ping [s].
   [[nodiscard]] double computing_time() const { return computing_time_; }
 
  private:

@@ -1,4 +1,4 @@
-// ipv4_network.cpp -- looks an address up among the network interfaces.
+// ipv4_network.cpp -- finds the network interface with a given address.
 
 #include "emulate/ipv4_network.h"
 
@@ -30,7 +30,7 @@ address_v4 ipv4_of(const sockaddr* address) {
 Ipv4Network network_of(const EmulateOptions& options) {
   const boost::asio::ip::address address = address_of(options);
   if (!address.is_v4() || address.is_unspecified()) {
-    throw InputError(fmt::format("--address {} must be one IPv4 address: the sonar tells it in its status messages",
+    throw InputError(fmt::format("--address {} must be one IPv4 address: the sonar sends it in its status messages",
                                  printable(options.address)));
   }
   if (address.is_loopback()) {

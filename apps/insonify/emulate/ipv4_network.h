@@ -1,4 +1,4 @@
-// ipv4_network.h -- the network that an address of this machine is in.
+// ipv4_network.h -- the network of one of this machine's addresses.
 
 #pragma once
 
@@ -10,11 +10,11 @@ namespace insonify {
 
 struct Ipv4Network {
   boost::asio::ip::address_v4 address, mask;
-  boost::asio::ip::address_v4 broadcast;  ///< Reaches all who should hear of a sonar at `address`: on loopback itself.
+  boost::asio::ip::address_v4 broadcast;  ///< Broadcast address of its network; on loopback the address itself.
 };
 
 /// Reads --address, and warns as address_of().
-/// @throws InputError for what is no IPv4 address; Error for one that this machine does not have.
+/// @throws InputError for an invalid IPv4 address; Error for one that this machine does not have.
 [[nodiscard]] Ipv4Network network_of(const EmulateOptions& options);
 
 }  // namespace insonify

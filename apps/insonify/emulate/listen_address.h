@@ -9,8 +9,8 @@
 
 namespace insonify {
 
-/// Warns where others than this machine can reach it: instruments' protocols know no password.
-/// @throws InputError for what is no address.
+/// Warns if other machines can reach it: instruments' protocols have no password.
+/// @throws InputError for an invalid address.
 [[nodiscard]] boost::asio::ip::address address_of(const EmulateOptions& options);
 
 }  // namespace insonify

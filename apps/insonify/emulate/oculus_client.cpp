@@ -1,4 +1,4 @@
-// oculus_client.cpp -- reads messages from a connection and writes answers, without ever waiting for the client.
+// oculus_client.cpp -- reads messages from a connection and writes answers without blocking.
 
 #include "emulate/oculus_client.h"
 
@@ -16,7 +16,7 @@ constexpr std::size_t kMostWaitingMessages = 16;  // Messages other than pings.
 }  // namespace
 
 OculusClient::OculusClient(Socket socket, Events events) : socket_(std::move(socket)), events_(std::move(events)) {
-  error_code ignored;  // Options that make a connection faster, or end a dead one; it works without.
+  error_code ignored;  // These options are optional: they make a connection faster, or end a dead one.
   socket_.set_option(boost::asio::ip::tcp::no_delay(true), ignored);
   socket_.set_option(boost::asio::socket_base::keep_alive(true), ignored);
   if (const auto remote = socket_.remote_endpoint(ignored); !ignored && remote.address().is_v4()) {

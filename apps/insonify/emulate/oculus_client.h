@@ -12,7 +12,7 @@
 
 namespace insonify {
 
-/// Lives until the connection ends: its own reads and writes keep it.
+/// Lives until the connection ends: pending reads and writes own it.
 class OculusClient : public std::enable_shared_from_this<OculusClient> {
  public:
   using Bytes = std::shared_ptr<const std::vector<std::uint8_t>>;
@@ -20,20 +20,20 @@ class OculusClient : public std::enable_shared_from_this<OculusClient> {
 
   struct Events {
     std::function<void(OculusClient&, const OculusMessage&)> message;
-    std::function<void(OculusClient&, std::uint64_t bytes)> skipped;  ///< Bytes that are no message.
+    std::function<void(OculusClient&, std::uint64_t bytes)> skipped;  ///< Bytes that are not a message.
     std::function<void(OculusClient&)> gone;                          ///< Once, at the end of the connection.
   };
 
   OculusClient(Socket socket, Events events);
 
-  /// Begins to read.
+  /// Starts to read.
   void start() { read(); }
 
-  /// Sends a ping result. Where an earlier one still waits, because the client reads too slowly, it is replaced.
+  /// Sends a ping result. Replaces an earlier one that is still queued because the client reads too slowly.
   /// @return  Whether none was replaced.
   bool send_ping(Bytes bytes);
 
-  /// Sends another message. @return  Whether it will be sent: not where too many wait.
+  /// Sends another message. @return  False if the queue is full.
   bool send(Bytes bytes);
 
   /// Ends the connection, without calling Events::gone.
@@ -54,7 +54,7 @@ class OculusClient : public std::enable_shared_from_this<OculusClient> {
   std::array<std::uint8_t, 4096> in_ = {};
   OculusParser parser_;
   std::deque<Bytes> out_;  // The first is being written.
-  Bytes ping_;             // To be written after those.
+  Bytes ping_;             // To be written after these.
   bool ended_ = false;
 };
 

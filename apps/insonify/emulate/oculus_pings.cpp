@@ -29,7 +29,7 @@ OculusFire acting(const OculusFire& fire) {
 
 }  // namespace
 
-WallClock::time_point OculusPings::Heard::heard() const {
+WallClock::time_point OculusPings::Received::received_at() const {
   const double seconds = 2 * result.range_resolution * result.range_count / result.sound_speed;
   return transmitted + std::chrono::duration_cast<WallClock::duration>(std::chrono::duration<double>(seconds));
 }
@@ -57,33 +57,33 @@ std::shared_ptr<const OculusPings::Settings> OculusPings::apply(const OculusFire
   return std::make_shared<const Settings>(std::move(settings));
 }
 
-OculusPings::Heard OculusPings::make(const Settings& settings) {
+OculusPings::Received OculusPings::make(const Settings& settings) {
   const WallClock::time_point transmitted = WallClock::now();
   const SonarConfig& sonar = sonar_.config();
   const Water water = sonar_.scenario().water_at(sonar);
   const OculusPlan& plan = settings.plan;
   const Ping* ping = plan.sonar ? &sonar_.ping() : nullptr;
-  Heard heard{.result = {.fire = plan.fire,
-                         .device = kDevice,
-                         .number = number_++,
-                         .frequency = sonar.frequency,
-                         .temperature_c = water.temperature_c,
-                         .pressure_bar = pressure_bar(water),
-                         .sound_speed = sonar_.sound_speed(),
-                         .start_time = sonar_.time_at(transmitted),
-                         .range_resolution = plan.row_length,
-                         .range_count = static_cast<std::uint16_t>(plan.rows),
-                         .bearings = settings.bearings,
-                         .image = oculus_image(plan, ping, settings.levels, sonar.beam_count)},
-              .computing_time = std::chrono::duration<double>(WallClock::now() - transmitted).count(),
-              .transmitted = transmitted};
+  Received received{.result = {.fire = plan.fire,
+                               .device = kDevice,
+                               .number = number_++,
+                               .frequency = sonar.frequency,
+                               .temperature_c = water.temperature_c,
+                               .pressure_bar = pressure_bar(water),
+                               .sound_speed = sonar_.sound_speed(),
+                               .start_time = sonar_.time_at(transmitted),
+                               .range_resolution = plan.row_length,
+                               .range_count = static_cast<std::uint16_t>(plan.rows),
+                               .bearings = settings.bearings,
+                               .image = oculus_image(plan, ping, settings.levels, sonar.beam_count)},
+                    .computing_time = std::chrono::duration<double>(WallClock::now() - transmitted).count(),
+                    .transmitted = transmitted};
   if (ping != nullptr) {
     const Vec3 rpy = rpy_from_orientation(ping->world_from_sonar.orientation);
-    heard.result.heading_deg = std::fmod(450 - degrees_from_radians(rpy.z()), 360);
-    heard.result.pitch_deg = -degrees_from_radians(rpy.y());
-    heard.result.roll_deg = degrees_from_radians(rpy.x());
+    received.result.heading_deg = std::fmod(450 - degrees_from_radians(rpy.z()), 360);
+    received.result.pitch_deg = -degrees_from_radians(rpy.y());
+    received.result.roll_deg = degrees_from_radians(rpy.x());
   }
-  return heard;
+  return received;
 }
 
 OculusStatus OculusPings::status() const {

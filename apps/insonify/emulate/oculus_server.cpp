@@ -1,4 +1,4 @@
-// oculus_server.cpp -- the loop of an emulated Oculus.
+// oculus_server.cpp -- the event loop of an emulated Oculus.
 
 #include "emulate/oculus_server.h"
 
@@ -78,7 +78,7 @@ void OculusServer::accept() {
       accept();
     } else {
       warn_once(fmt::format("a client could not connect: {}", failure.message()));
-      accept_timer_.expires_after(kBeat);  // Such as without free file descriptors, which may pass.
+      accept_timer_.expires_after(kBeat);  // Retries later: file descriptors, for example, may become free.
       accept_timer_.async_wait([this](error_code) { accept(); });
     }
   });
@@ -92,11 +92,12 @@ void OculusServer::welcome(Tcp::socket socket) {
   }
   const auto client = std::make_shared<OculusClient>(
       std::move(socket),
-      OculusClient::Events{
-          .message = [this](OculusClient& from, const OculusMessage& message) { take(from, message); },
-          .skipped = [this](OculusClient& from,
-                            std::uint64_t bytes) { refuse(from, fmt::format("{} bytes that are no message", bytes)); },
-          .gone = [this](OculusClient& from) { forget(from); }});
+      OculusClient::Events{.message = [this](OculusClient& from, const OculusMessage& message) { take(from, message); },
+                           .skipped =
+                               [this](OculusClient& from, std::uint64_t bytes) {
+                                 refuse(from, fmt::format("{} bytes that are not a message", bytes));
+                               },
+                           .gone = [this](OculusClient& from) { forget(from); }});
   clients_.push_back(client);
   last_client_ = client->address();
   client->start();
@@ -104,19 +105,19 @@ void OculusServer::welcome(Tcp::socket socket) {
 
 void OculusServer::forget(OculusClient& client) {
   std::erase_if(clients_, [&](const Client& other) { return other.get() == &client; });
-  if (clients_.empty()) {  // Nobody listens: the next one begins anew.
+  if (clients_.empty()) {  // Resets the settings for the next client.
     asked_.reset();
     settings_.reset();
     wanted_.reset();
     ping_timer_.cancel();
-    tell_timer_.cancel();
+    send_timer_.cancel();
     last_client_ = {};
   }
 }
 
 void OculusServer::refuse(const OculusClient& client, const std::string& reason) {
   report_.note_refusal();
-  warn_once(fmt::format("not obeyed, from {}: {}", client.address().to_string(), reason));
+  warn_once(fmt::format("ignored, from {}: {}", client.address().to_string(), reason));
 }
 
 void OculusServer::warn_once(const std::string& text) {
@@ -135,7 +136,7 @@ void OculusServer::take(OculusClient& client, const OculusMessage& message) {
         const OculusFire asked = decode_fire(message);
         client.layout = asked.layout;
         wanted_ = asked;
-        net::post(loop_.context(), [this] { obey(); });  // Once for all that have arrived together.
+        net::post(loop_.context(), [this] { obey(); });  // Once for all messages that arrived together.
       } catch (const Error& error) {
         refuse(client, error.what());
       }
@@ -152,7 +153,7 @@ void OculusServer::take(OculusClient& client, const OculusMessage& message) {
   }
 }
 
-// Changes the settings to those of the last fire message. While a ping is made that has to wait.
+// Applies the settings of the last fire message, but not while a ping is being made.
 void OculusServer::obey() {
   if (pinging_ || !wanted_) {
     return;
@@ -168,15 +169,15 @@ void OculusServer::obey() {
     schedule();
   } catch (const Error& error) {
     report_.note_refusal();
-    notes.push_back(fmt::format("not obeyed: {}", error.what()));
+    notes.push_back(fmt::format("ignored: {}", error.what()));
   }
   for (const std::string& note : notes) {
     warn_once(note);
   }
 }
 
-// A ping that took longer than the period delays the next, and those after it catch up; where a whole period is lost,
-// the schedule begins anew.
+// A ping that takes longer than the period delays the next, and later ones catch up. The schedule restarts after a loss
+// of a whole period.
 void OculusServer::schedule() {
   ping_timer_.cancel();
   if (!settings_ || settings_->plan.period == 0) {
@@ -197,30 +198,30 @@ void OculusServer::ping(WallClock::time_point due) {
   last_due_ = due;
   pinging_ = true;
   net::post(maker_, [this, settings = settings_] {
-    std::shared_ptr<const OculusPings::Heard> heard;
+    std::shared_ptr<const OculusPings::Received> received;
     std::string failure;
     try {
-      heard = std::make_shared<const OculusPings::Heard>(pings_.make(*settings));
+      received = std::make_shared<const OculusPings::Received>(pings_.make(*settings));
     } catch (const Interrupted&) {
-      return;  // The end of the program: RoadLoop sees it too.
+      return;  // The end of the program: EventLoop sees it too.
     } catch (const Error& error) {
       failure = error.what();
     }
-    net::post(loop_.context(), [this, heard, failure] { pinged(heard, failure); });
+    net::post(loop_.context(), [this, received, failure] { pinged(received, failure); });
   });
 }
 
-void OculusServer::pinged(const std::shared_ptr<const OculusPings::Heard>& heard, const std::string& failure) {
+void OculusServer::pinged(const std::shared_ptr<const OculusPings::Received>& received, const std::string& failure) {
   pinging_ = false;
   if (!failure.empty()) {
     warn_once("no ping: " + failure);
   }
-  if (heard && settings_) {
-    listening_until_ = heard->heard();
-    tell_timer_.expires_at(listening_until_);
-    tell_timer_.async_wait([this, heard](error_code cancelled) {
+  if (received && settings_) {
+    listening_until_ = received->received_at();
+    send_timer_.expires_at(listening_until_);
+    send_timer_.async_wait([this, received](error_code cancelled) {
       if (!cancelled) {
-        tell(*heard);
+        send_ping(*received);
       }
     });
   }
@@ -228,12 +229,12 @@ void OculusServer::pinged(const std::shared_ptr<const OculusPings::Heard>& heard
   schedule();
 }
 
-void OculusServer::tell(const OculusPings::Heard& heard) {
+void OculusServer::send_ping(const OculusPings::Received& received) {
   std::array<OculusClient::Bytes, 2> in_layout;
   for (const Client& client : clients_) {
     OculusClient::Bytes& bytes = in_layout.at(static_cast<std::size_t>(client->layout - 1));
     if (!bytes) {
-      OculusPing result = heard.result;
+      OculusPing result = received.result;
       result.fire.layout = client->layout;
       bytes = shared(encode(result));
     }
@@ -241,7 +242,7 @@ void OculusServer::tell(const OculusPings::Heard& heard) {
       report_.note_drop();
     }
   }
-  report_.note(heard.transmitted, heard.computing_time);
+  report_.note(received.transmitted, received.computing_time);
 }
 
 void OculusServer::beat() {
@@ -250,7 +251,7 @@ void OculusServer::beat() {
     const OculusClient::Bytes dummy =
         shared(encode(OculusMessage{.id = kOculusDummy, .source = pings_.status().device}));
     for (const Client& client : clients_) {
-      client->send(dummy);  // One that many wait for is as good as none.
+      client->send(dummy);  // May be dropped if the queue is full.
     }
   }
   beat_timer_.expires_after(kBeat);
@@ -268,7 +269,7 @@ OculusStatus OculusServer::status() const {
 void OculusServer::send_status() {
   error_code failure;
   status_socket_.send_to(net::buffer(encode(status())), {network_.broadcast, kStatusPort}, 0, failure);
-  if (failure && failure != net::error::connection_refused) {  // Refused: nobody listens, on loopback.
+  if (failure && failure != net::error::connection_refused) {  // Refused: no listener, on loopback.
     warn_once(fmt::format("no status to UDP {}: {}", status_address(), failure.message()));
   }
 }

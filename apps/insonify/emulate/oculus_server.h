@@ -1,4 +1,4 @@
-// oculus_server.h -- an Oculus on TCP and UDP: broadcasts its status, takes fire messages, pings and answers.
+// oculus_server.h -- an Oculus on TCP and UDP: broadcasts its status, receives fire messages and sends pings.
 
 #pragma once
 
@@ -15,13 +15,13 @@
 #include "emulate/ipv4_network.h"
 #include "emulate/oculus_client.h"
 #include "emulate/oculus_pings.h"
-#include "road/road_loop.h"
-#include "road/road_report.h"
+#include "transport/event_loop.h"
+#include "transport/transport_report.h"
 
 namespace insonify {
 
-/// One thread talks, another makes the pings, so that large images flow meanwhile. The sonar pings from the first fire
-/// message on, while anybody is connected, with the settings of the fire message that came last; every client gets
+/// One thread communicates, another makes pings, so that large images are sent meanwhile. The sonar pings after the
+/// first fire message while a client is connected, with the settings of the latest fire message; every client gets
 /// every ping.
 class OculusServer {
  public:
@@ -37,7 +37,7 @@ class OculusServer {
   /// Serves until SIGINT or SIGTERM.
   void run();
 
-  [[nodiscard]] const RoadReport& report() const { return report_; }
+  [[nodiscard]] const TransportReport& report() const { return report_; }
 
  private:
   using Tcp = boost::asio::ip::tcp;
@@ -51,31 +51,31 @@ class OculusServer {
   void obey();
   void schedule();
   void ping(WallClock::time_point due);
-  void pinged(const std::shared_ptr<const OculusPings::Heard>& heard, const std::string& failure);
-  void tell(const OculusPings::Heard& heard);
+  void pinged(const std::shared_ptr<const OculusPings::Received>& received, const std::string& failure);
+  void send_ping(const OculusPings::Received& received);
   void beat();
   void send_status();
   void refuse(const OculusClient& client, const std::string& reason);
   void warn_once(const std::string& text);
   [[nodiscard]] OculusStatus status() const;
 
-  RoadReport report_;
-  RoadLoop loop_{report_};
+  TransportReport report_;
+  EventLoop loop_{report_};
   OculusPings pings_;
   Ipv4Network network_;
   Tcp::acceptor acceptor_;
   Udp::socket status_socket_;
-  boost::asio::steady_timer beat_timer_{loop_.context()}, ping_timer_{loop_.context()}, tell_timer_{loop_.context()},
+  boost::asio::steady_timer beat_timer_{loop_.context()}, ping_timer_{loop_.context()}, send_timer_{loop_.context()},
       accept_timer_{loop_.context()};
 
   std::vector<Client> clients_;
   boost::asio::ip::address_v4 last_client_;
-  std::optional<OculusFire> wanted_;                       // The fire message that came last, until it is obeyed.
-  std::optional<OculusFire> asked_;                        // The one that is obeyed; none before the first.
-  std::shared_ptr<const OculusPings::Settings> settings_;  // What it means; null without.
-  bool pinging_ = false;                                   // While the other thread has the simulated sonar.
-  std::optional<WallClock::time_point> last_due_;          // Time of the last ping by the schedule.
-  WallClock::time_point listening_until_;                  // To the last ping.
+  std::optional<OculusFire> wanted_;                       // Latest fire message, until it is applied.
+  std::optional<OculusFire> asked_;                        // The applied one; none before the first.
+  std::shared_ptr<const OculusPings::Settings> settings_;  // Its settings; null without.
+  bool pinging_ = false;                                   // Whether the other thread uses the simulated sonar.
+  std::optional<WallClock::time_point> last_due_;          // Scheduled time of the last ping.
+  WallClock::time_point listening_until_;                  // Arrival time of the last echo of the last ping.
   std::set<std::string> warnings_;
 
   boost::asio::thread_pool maker_{1};  // Last: it ends first.

@@ -1,4 +1,4 @@
-// ping360_server.cpp -- the loop of an emulated Ping360.
+// ping360_server.cpp -- the event loop of an emulated Ping360.
 
 #include "emulate/ping360_server.h"
 
@@ -13,7 +13,7 @@ using boost::system::error_code;
 
 namespace {
 
-constexpr std::size_t kLongestDatagram = 2048;  // What is longer is cut, and refused: a command has 24 bytes at most.
+constexpr std::size_t kLongestDatagram = 2048;  // Longer ones are cut and refused: commands have at most 24 bytes.
 
 // Message ids of the commands that ping.
 constexpr std::uint16_t kAutoTransmit = 2602;
@@ -67,8 +67,8 @@ void Ping360Server::receive() {
   }
 }
 
-// The first of several damaged frames in one datagram is refused, so that answers are not much longer than what they
-// answer.
+// Only the first of several damaged frames in a datagram is answered, so that a reply is not much longer than its
+// request.
 void Ping360Server::receive_datagram(std::size_t size) {
   PingParser parser;
   parser.add(std::span(datagram_).first(size));
@@ -125,11 +125,11 @@ void Ping360Server::act(const Command& command) {
 
 void Ping360Server::transmit_once(const Command& command, const Ping360& before) {
   try {
-    const Heard heard = make_ping();
+    const Received received = make_ping();
     pinging_ = true;
-    ping_timer_.expires_at(heard.transmitted + wall_clock_duration(instrument_.settings().listening_time()));
-    ping_timer_.async_wait([this, heard, client = command.client](error_code) {
-      tell(heard, client);
+    ping_timer_.expires_at(received.transmitted + wall_clock_duration(instrument_.settings().listening_time()));
+    ping_timer_.async_wait([this, received, client = command.client](error_code) {
+      send_ping(received, client);
       pinging_ = false;
       work();
     });
@@ -141,17 +141,17 @@ void Ping360Server::transmit_once(const Command& command, const Ping360& before)
   }
 }
 
-// Makes ping `ping` of a scan, tells it when its echoes are in, and goes on after the delay.
+// Makes ping `ping` of a scan, sends it when its echoes have arrived, and continues after the delay.
 void Ping360Server::scan(std::uint64_t ping) {
   instrument_.turn_to(ping);
   try {
-    const Heard heard = make_ping();
-    scan_timer_.expires_at(heard.transmitted + wall_clock_duration(instrument_.settings().listening_time()));
-    scan_timer_.async_wait([this, heard, ping, scan = scan_number_](error_code) {
+    const Received received = make_ping();
+    scan_timer_.expires_at(received.transmitted + wall_clock_duration(instrument_.settings().listening_time()));
+    scan_timer_.async_wait([this, received, ping, scan = scan_number_](error_code) {
       if (scan != scan_number_) {
         return;
       }
-      tell(heard, scan_client_);
+      send_ping(received, scan_client_);
       scan_timer_.expires_after(std::chrono::milliseconds(instrument_.sector()->delay));
       scan_timer_.async_wait([this, ping, scan](error_code) {
         if (scan == scan_number_) {
@@ -169,7 +169,7 @@ void Ping360Server::scan(std::uint64_t ping) {
 
 void Ping360Server::apply_settings() {
   Ping360Settings wanted = instrument_.settings();
-  wanted.angle = 0;  // What the head and the samples follow, not the simulated sonar.
+  wanted.angle = 0;  // These affect the head and the samples, not the simulated sonar.
   wanted.gain_setting = 0;
   wanted.mode = 0;
   if (applied_ == wanted) {
@@ -184,7 +184,7 @@ void Ping360Server::apply_settings() {
   applied_ = wanted;
 }
 
-Ping360Server::Heard Ping360Server::make_ping() {
+Ping360Server::Received Ping360Server::make_ping() {
   const WallClock::time_point transmitted = WallClock::now();
   apply_settings();
   const Ping360Settings& settings = instrument_.settings();
@@ -193,15 +193,15 @@ Ping360Server::Heard Ping360Server::make_ping() {
   return {ping360_samples(ping, sonar_.config(), levels_, settings, blank), transmitted};
 }
 
-void Ping360Server::tell(const Heard& heard, const Client& client) {
-  send(instrument_.data(heard.samples), client);
-  report_.note(heard.transmitted, sonar_.computing_time());
+void Ping360Server::send_ping(const Received& received, const Client& client) {
+  send(instrument_.data(received.samples), client);
+  report_.note(received.transmitted, sonar_.computing_time());
 }
 
 void Ping360Server::send(const PingFrame& frame, const Client& client) {
   const std::vector<std::uint8_t> bytes = encode(frame);
   if (client) {
-    error_code failure;  // A client that is gone, or whose buffer is full, loses the message: this is UDP.
+    error_code failure;  // UDP: a client that is gone or whose buffer is full loses the message.
     socket_.send_to(net::buffer(bytes), *client, 0, failure);
     if (failure) {
       report_.note_drop();

@@ -1,4 +1,4 @@
-// ping360_server.h -- a Ping360 on UDP and on a serial line: receives commands, pings and answers.
+// ping360_server.h -- a Ping360 on UDP and on a serial line: receives commands and sends pings.
 
 #pragma once
 
@@ -11,13 +11,13 @@
 #include "emulate/emulated_sonar.h"
 #include "emulate/serial_line.h"
 #include "insonify/wire/ping360_sonar.h"
-#include "road/road_loop.h"
-#include "road/road_report.h"
+#include "transport/event_loop.h"
+#include "transport/transport_report.h"
 
 namespace insonify {
 
-/// One thread does all: an instrument makes one ping at a time. What arrives while it pings waits in the system's
-/// buffers, which drop what is too much; a scan can be ended at any time between pings.
+/// Single-threaded: an instrument makes one ping at a time. Commands that arrive during a ping are queued in the
+/// system's buffers, which drop the excess; a scan can be ended between any two pings.
 class Ping360Server {
  public:
   /// Binds the port.
@@ -30,18 +30,18 @@ class Ping360Server {
   /// Serves until SIGINT or SIGTERM.
   void run();
 
-  [[nodiscard]] const RoadReport& report() const { return report_; }
+  [[nodiscard]] const TransportReport& report() const { return report_; }
 
  private:
   using Udp = boost::asio::ip::udp;
-  /// Whom to answer; none: the serial line.
+  /// Recipient of answers; none: the serial line.
   using Client = std::optional<Udp::endpoint>;
   struct Command {
     PingEvent event;
     Client client;
   };
-  /// A ping that has been computed and whose echoes the instrument still listens to.
-  struct Heard {
+  /// A computed ping whose echoes the instrument still receives.
+  struct Received {
     std::vector<std::uint8_t> samples = {};
     WallClock::time_point transmitted = {};
   };
@@ -53,31 +53,31 @@ class Ping360Server {
   void act(const Command& command);
   void transmit_once(const Command& command, const Ping360& before);
   void scan(std::uint64_t ping);
-  Heard make_ping();
+  Received make_ping();
   void apply_settings();
-  void tell(const Heard& heard, const Client& client);
+  void send_ping(const Received& received, const Client& client);
   void send(const PingFrame& frame, const Client& client);
   void refuse(std::uint16_t id, const Error& error, const Client& client);
 
-  RoadReport report_;
-  RoadLoop loop_{report_};
+  TransportReport report_;
+  EventLoop loop_{report_};
   EmulatedSonar& sonar_;
   Udp::socket socket_;
   std::unique_ptr<SerialLine> serial_;
   boost::asio::steady_timer ping_timer_{loop_.context()}, scan_timer_{loop_.context()};
 
   Ping360 instrument_;
-  std::optional<Ping360Settings> applied_;  // What the simulated sonar has.
-  std::optional<SonarConfig> config_;       // The simulated sonar; none where all samples are blank.
+  std::optional<Ping360Settings> applied_;  // Settings of the simulated sonar.
+  std::optional<SonarConfig> config_;       // The simulated sonar; none if all samples are blank.
   MessageLevels levels_;
 
   Client scan_client_;
-  std::uint64_t scan_number_ = 0;  // Counts scans and their ends: what an ended one still waits for is void.
+  std::uint64_t scan_number_ = 0;  // Counts starts and ends of scans: timers of an ended one are ignored.
 
   std::vector<std::uint8_t> datagram_;
   Udp::endpoint sender_;
   PingParser serial_parser_;
-  std::deque<Command> commands_;  // Commands of what has arrived last; no more is received before they are done.
+  std::deque<Command> commands_;  // Received commands; no more are read before they are done.
   bool receiving_datagram_ = false, receiving_bytes_ = false, pinging_ = false, warned_ = false;
 };
 

@@ -46,7 +46,7 @@ SerialLine::SerialLine(net::io_context& context) : master_(context), in_(kMostAt
   if (slave_ < 0 || tcgetattr(slave_, &settings) != 0) {
     fail();
   }
-  cfmakeraw(&settings);  // No echo, no line editing: eight bits as they come.
+  cfmakeraw(&settings);  // No echo, no line editing, eight-bit data.
   if (tcsetattr(slave_, TCSANOW, &settings) != 0) {
     fail();
   }

@@ -15,7 +15,7 @@ class SerialLine {
  public:
   using Bytes = std::vector<std::uint8_t>;
 
-  /// @throws Error where the system gives no pseudo terminal.
+  /// @throws Error if the system has no pseudo terminal.
   explicit SerialLine(boost::asio::io_context& context);
   ~SerialLine();
   SerialLine(const SerialLine&) = delete;
@@ -26,15 +26,15 @@ class SerialLine {
   /// Calls the function once, when bytes have arrived.
   void receive(std::function<void(std::span<const std::uint8_t>)> function);
 
-  /// Sends bytes, and never waits.
-  /// @return  Whether they will be sent: not where too many wait because nobody reads.
+  /// Sends bytes without blocking.
+  /// @return  False if the queue is full because nobody reads.
   bool send(Bytes bytes);
 
  private:
   void write();
 
   boost::asio::posix::stream_descriptor master_;
-  int slave_ = -1;  // Kept open, so that the line stays when a program closes it.
+  int slave_ = -1;  // Kept open, so that the line survives a program that closes it.
   std::string path_;
   Bytes in_, out_, writing_;
 };

@@ -43,7 +43,7 @@ void check_effects(const ExportCommand& options) {
 void check_input(const ExportCommand& options, const std::vector<RecordingPart>& parts, const ExportOptions& how) {
   std::error_code ignored;
   if (std::filesystem::exists(std::filesystem::symlink_status(options.file, ignored)) && !options.force) {
-    throw InputError(fmt::format("{} is there already: --force replaces it", options.file.string()));
+    throw InputError(fmt::format("{} exists already: --force replaces it", options.file.string()));
   }
   checked_input([&] {
     check_export(parts, options.file, how);

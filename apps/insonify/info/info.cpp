@@ -1,4 +1,4 @@
-// info.cpp -- insonify info: tells what recordings hold.
+// info.cpp -- insonify info: describes recordings.
 
 #include "info/info.h"
 

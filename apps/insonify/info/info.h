@@ -1,4 +1,4 @@
-// info.h -- insonify info: tells what recordings hold.
+// info.h -- insonify info: describes recordings.
 
 #pragma once
 
@@ -12,8 +12,8 @@ struct InfoOptions {
   bool json = false;
 };
 
-/// Tells of every recording, also after one that cannot be read.
-/// @return  kDone, or kWrongInput after a message for each file that is no recording.
+/// Describes every recording, also after one that cannot be read.
+/// @return  kDone, or kWrongInput after a message for each file that is not a recording.
 int info(const InfoOptions& options);
 
 }  // namespace insonify

@@ -63,12 +63,12 @@ std::vector<std::filesystem::path> finished_pictures_in(const std::filesystem::p
 
 void refuse(const std::vector<std::filesystem::path>& files) {
   if (files.size() == 1) {
-    throw InputError(fmt::format("{} is there already: --force replaces it, -o DIR writes to another folder",
-                                 files.front().string()));
+    throw InputError(
+        fmt::format("{} exists already: --force replaces it, -o DIR writes to another folder", files.front().string()));
   }
   if (!files.empty()) {
     throw InputError(
-        fmt::format("{} is there already, with {} more of an earlier run: --force replaces them, -o DIR writes to "
+        fmt::format("{} exists already, with {} more of an earlier run: --force replaces them, -o DIR writes to "
                     "another folder",
                     files.front().string(), files.size() - 1));
   }

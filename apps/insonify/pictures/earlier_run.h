@@ -18,7 +18,7 @@ void refuse_earlier_run(const std::filesystem::path& folder, const Scenario& sce
                         const std::vector<std::string>& endings);
 
 /// Recordings of the scenario's sonars, in alphabetical order, that a run in this folder has not finished: it was
-/// killed, or still goes on.
+/// killed, or is still running.
 [[nodiscard]] std::vector<std::filesystem::path> unfinished_recordings(const std::filesystem::path& folder,
                                                                        const Scenario& scenario,
                                                                        const std::vector<std::string>& endings);

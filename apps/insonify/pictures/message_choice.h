@@ -12,7 +12,7 @@ namespace insonify {
 
 struct MessageChoice {
   std::optional<double> fan_rate = {};  ///< MessageOptions::fan_rate.
-  std::string start = {};               ///< MessageOptions::start_ns as text; "" where it is not given.
+  std::string start = {};               ///< MessageOptions::start_ns as text; "": not given.
 
   /// Names of the options that were given: "--fan-rate", "--start".
   [[nodiscard]] std::vector<std::string> given() const;

@@ -130,7 +130,7 @@ std::string PingPictures::darkness_text() const {
   }
   return fmt::format("the pictures of {} are black: {}, and --levels begins at {:.4g} dB", sonar_.name,
                      brightest_ > 0 ? fmt::format("their brightest point has {:.4g} dB", 10 * std::log10(brightest_))
-                                    : "nothing was heard",
+                                    : "nothing was received",
                      10 * std::log10(darkest));
 }
 

@@ -1,4 +1,4 @@
-// recorded_run.cpp -- opens the recordings of a run, and reads their pings.
+// recorded_run.cpp -- opens the recordings of a run and reads their pings.
 
 #include "replay/recorded_run.h"
 
@@ -15,7 +15,7 @@
 namespace insonify {
 namespace {
 
-// All the values of a table of one number a ping.
+// All values of a table with one number per ping.
 std::vector<double> numbers_of(const StoredTables& tables, const std::string& name, const std::filesystem::path& file) {
   const StoredTable* const table = tables.find(name);
   if (table == nullptr || table->type != NumberType::kFloat64 || table->shape.size() != 1) {
@@ -27,7 +27,7 @@ std::vector<double> numbers_of(const StoredTables& tables, const std::string& na
   return numbers;
 }
 
-// One ping's part of a table of ground truth; left as it is where the recording does not have it.
+// One ping's part of a ground-truth table; unchanged if the recording does not have it.
 template <typename Value>
 void read_layer(const StoredTables& tables, const char* name, NumberType type, std::uint64_t number, const Ping& ping,
                 std::vector<Value>& values) {
@@ -88,7 +88,7 @@ void RecordedRun::open(const RecordedRunOptions& options, LiveWorld& world, cons
             fmt::format("{} and {} are both of a sonar called {}", other->second.string(), file.string(), name));
       }
       if (sonar.pings == 0) {
-        log(Severity::kWarning, fmt::format("{}: {} has no pings, and is left out", file.string(), name));
+        log(Severity::kWarning, fmt::format("{}: {} has no pings and is skipped", file.string(), name));
         continue;
       }
       tracks_.push_back({RecordedPings(file, name), StoredTables(file, name)});
@@ -109,7 +109,7 @@ void RecordedRun::open(const RecordedRunOptions& options, LiveWorld& world, cons
     const std::vector<double> times = numbers_of(tracks_[i].tables, "time", file);
     for (std::uint64_t ping = 0; ping < std::min<std::uint64_t>(times.size(), tracks_[i].pings.ping_count()); ++ping) {
       if (!std::isfinite(times[ping])) {
-        throw Error(fmt::format("{}: the time of ping {} is no number", file.string(), ping));
+        throw Error(fmt::format("{}: the time of ping {} is not a number", file.string(), ping));
       }
       moments_.push_back({times[ping], static_cast<int>(i), ping});
     }

@@ -1,4 +1,4 @@
-// recorded_run.h -- the recordings of one run: its pings in the order of time, and the scene they were made in.
+// recorded_run.h -- the recordings of one run: its pings in order of time, and their scene.
 
 #pragma once
 
@@ -22,28 +22,28 @@ namespace insonify {
 struct RecordedMoment {
   double time = 0;  ///< [s]
   int sonar = 0;
-  std::uint64_t ping = 0;  ///< Counts the pings of that sonar in its file.
+  std::uint64_t ping = 0;  ///< Index among the sonar's pings in its file.
 };
 
 struct RecordedRunOptions {
   std::vector<std::filesystem::path> files;
-  std::string sonar;             ///< Which one; "" for all.
-  std::filesystem::path folder;  ///< That files named in the scenario are relative to; empty: looked for.
+  std::string sonar;             ///< Name; "": all.
+  std::filesystem::path folder;  ///< Base of file names in the scenario; empty: searched.
 };
 
 /// Reads pings with their ground truth. For one thread.
 class RecordedRun {
  public:
-  /// @param log  Takes a warning where the scene of the run cannot be shown, and where sonars are left out.
-  /// @throws Error for files that are no recordings of one run, and where there is no ping.
+  /// @param log  Gets a warning if the scene of the run cannot be shown, and for skipped sonars.
+  /// @throws Error for files that are not recordings of one run, and if there is no ping.
   RecordedRun(const RecordedRunOptions& options, const Log& log);
 
-  /// Its scene has the names of the recording, and meshes where the world of its scenario was found.
+  /// The scene has the recording's names, and meshes if the world of its scenario was found.
   [[nodiscard]] const std::shared_ptr<const LiveWorld>& world() const { return world_; }
-  /// The pings of all sonars, in the order of their times. Never empty.
+  /// The pings of all sonars in order of time. Not empty.
   [[nodiscard]] std::span<const RecordedMoment> moments() const { return moments_; }
 
-  /// @throws Error with the path where it cannot be read.
+  /// @throws Error with the path if it cannot be read.
   [[nodiscard]] std::shared_ptr<const LivePing> ping(const RecordedMoment& moment);
 
  private:
@@ -55,10 +55,10 @@ class RecordedRun {
   void list_moments();
   void find_scene(const RecordedRunOptions& options, LiveWorld& world, const Log& log);
 
-  std::vector<Track> tracks_;  // One a sonar.
+  std::vector<Track> tracks_;  // One per sonar.
   std::vector<RecordedMoment> moments_;
   std::shared_ptr<const LiveWorld> world_;
-  // For objects that move: where they are, and which of the scenario's sonars each track is of, -1 for none.
+  // For moving objects: their poses, and the scenario's sonar of each track, -1: none.
   std::optional<Simulator> simulator_;
   std::optional<ScenarioRequests> requests_;
   std::vector<int> scenario_sonars_;

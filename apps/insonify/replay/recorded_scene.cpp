@@ -1,4 +1,4 @@
-// recorded_scene.cpp -- looks for the files of a recorded scenario, and compares the scene with what was recorded.
+// recorded_scene.cpp -- finds the files of a recorded scenario, and compares the scene with the recording.
 
 #include "replay/recorded_scene.h"
 
@@ -24,7 +24,7 @@ Scene scene_of_names(std::span<const std::string> instances, std::span<const std
   return scene;
 }
 
-// A world that has changed since would put wrong names to labels.
+// A world that has changed since would give labels wrong names.
 bool is_named(const Scene& scene, std::span<const std::string> instances) {
   return instances.empty() || std::ranges::equal(scene.instances, instances, {}, &Instance::name);
 }
@@ -81,7 +81,7 @@ RecordedScene recorded_scene(const std::string& scenario, std::span<const std::s
     }
   }
   log(Severity::kWarning,
-      fmt::format("the scene is shown without its objects: {} (--folder DIR tells where the scenario was)", why));
+      fmt::format("the scene is shown without its objects: {} (--folder DIR names the scenario's folder)", why));
   return {scene_of_names(instances, materials)};
 }
 

@@ -1,4 +1,4 @@
-// recorded_scene.h -- the scene of a recording, from the scenario that it holds.
+// recorded_scene.h -- the scene of a recording, from its scenario.
 
 #pragma once
 
@@ -14,28 +14,28 @@
 
 namespace insonify {
 
-/// What was found of it.
+/// The scene, as far as it was found.
 struct RecordedScene {
-  Scene scene;  ///< With the names of the recording; where the world was not found without meshes.
-  std::optional<Scenario> scenario = {};    ///< With the world; else absent.
-  std::optional<Simulator> simulator = {};  ///< Where something moves in that scenario.
+  Scene scene;                              ///< With the recording's names; without meshes if the world was not found.
+  std::optional<Scenario> scenario = {};    ///< Absent if the world was not found.
+  std::optional<Simulator> simulator = {};  ///< Present if something moves in that scenario.
 };
 
-/// Folders that files named in the scenario may be relative to: `folder` alone, or those of the recordings, the folders
-/// that these lie in, and the current one.
+/// Folders that file names in the scenario may be relative to: `folder` only, or those of the recordings, their parents
+/// and the current one.
 [[nodiscard]] std::vector<std::filesystem::path> folders_of(std::span<const std::filesystem::path> recordings,
                                                             const std::filesystem::path& folder);
 
 /// Reads the world of a scenario.
 /// @param scenario   Its text.
-/// @param instances  Names of the scene's instances in the recording; empty where it has none.
+/// @param instances  Names of the scene's instances in the recording; empty if it has none.
 /// @param materials  Likewise.
-/// @param log        Takes one warning where the world was not found, or is another now.
+/// @param log        Gets one warning if the world was not found or has changed.
 [[nodiscard]] RecordedScene recorded_scene(const std::string& scenario, std::span<const std::string> instances,
                                            std::span<const std::string> materials,
                                            std::span<const std::filesystem::path> folders, const Log& log);
 
-/// Where that which moves is at a ping.
+/// Poses of moving objects at a ping.
 /// @param sonar  Index into the sonars of `requests`, which are those of the simulator's scenario.
 [[nodiscard]] std::vector<MovedInstance> moved_instances(Simulator& simulator, const ScenarioRequests& requests,
                                                          int sonar, const Ping& ping);

@@ -95,7 +95,7 @@ void RecordingPlayer::step_back(int sonar) {
   wake_.notify_all();
 }
 
-// Time of the next ping of a sonar or, where it has none, of any sonar [s]; absent at the end.
+// Time of the next ping of a sonar, or of any sonar if it has none [s]; absent at the end.
 std::optional<double> RecordingPlayer::time_after(double time, int sonar) const {
   const auto next = std::ranges::upper_bound(moments_, time, {}, &RecordedMoment::time);
   const auto of_sonar = std::ranges::find(next, moments_.end(), sonar, &RecordedMoment::sonar);
@@ -103,7 +103,7 @@ std::optional<double> RecordingPlayer::time_after(double time, int sonar) const 
   return found == moments_.end() ? std::nullopt : std::optional(found->time);
 }
 
-// Time of the ping before, in the same way [s]; absent at the first.
+// Time of the previous ping, in the same way [s]; absent at the first.
 std::optional<double> RecordingPlayer::time_before(double time, int sonar) const {
   const auto end = std::ranges::lower_bound(moments_, time, {}, &RecordedMoment::time);
   const auto before = std::ranges::reverse_view(std::ranges::subrange(moments_.begin(), end));
@@ -112,12 +112,12 @@ std::optional<double> RecordingPlayer::time_before(double time, int sonar) const
   return found == before.end() ? std::nullopt : std::optional(found->time);
 }
 
-// Time of the ping that is shown [s].
+// Time of the shown ping [s].
 double RecordingPlayer::shown_time() const {
   return next_ == 0 ? first_time() : moments_[next_ - 1].time;
 }
 
-// From now on time passes from where it is.
+// Restarts the pace at the current time.
 void RecordingPlayer::keep_pace() {
   anchor_time_ = shown_time();
   anchor_ = Clock::now();
@@ -142,7 +142,7 @@ void RecordingPlayer::show(const RecordedMoment& moment, Lock& lock) {
   }
 }
 
-// The last ping of each sonar until then, or its first.
+// Shows the last ping of each sonar until then, or its first.
 void RecordingPlayer::go_to(double time, Lock& lock) {
   const auto after = std::ranges::upper_bound(moments_, std::max(time, first_time()), {}, &RecordedMoment::time);
   next_ = static_cast<std::size_t>(after - moments_.begin());
@@ -178,7 +178,7 @@ void RecordingPlayer::play() {
     } else if (!paused_ && Clock::now() < next_due()) {
       wake_.wait_until(lock, next_due());
     } else {
-      // A step is of all sonars that ping then.
+      // A step shows all sonars that ping at that time.
       const double time = moments_[next_].time;
       do {
         const RecordedMoment& moment = moments_[next_++];

@@ -1,4 +1,4 @@
-// recording_player.h -- plays a recording as if its pings were made now: in their own time, faster, slower, one by one.
+// recording_player.h -- plays a recording in real time, faster, slower or step by step.
 
 #pragma once
 
@@ -14,11 +14,11 @@
 
 namespace insonify {
 
-/// Pauses at the end; going on from there begins anew.
+/// Pauses at the end; resuming from there restarts.
 class RecordingPlayer : public PingSource, public Playback {
  public:
-  /// @param name    What the viewer calls it.
-  /// @param paused  Whether it waits at the first pings.
+  /// @param name    For the viewer.
+  /// @param paused  Whether it starts paused.
   RecordingPlayer(RecordedRun& run, std::string name, bool paused);
   ~RecordingPlayer() override { RecordingPlayer::end(); }
   RecordingPlayer(const RecordingPlayer&) = delete;
@@ -57,16 +57,16 @@ class RecordingPlayer : public PingSource, public Playback {
   std::string name_;
   LiveListener* listener_ = nullptr;
 
-  mutable std::mutex mutex_;  // Guards what follows.
+  mutable std::mutex mutex_;  // Guards the members below.
   std::condition_variable wake_;
   bool ending_ = false;
   bool paused_;
   std::optional<double> until_;  // Time up to which pings are shown while paused [s].
-  std::optional<double> goal_;   // Time to go to [s].
+  std::optional<double> goal_;   // Time to seek to [s].
   double speed_ = 1;
-  std::size_t next_ = 0;  // Index of the next of the moments.
+  std::size_t next_ = 0;  // Index of the next moment.
   std::uint64_t shown_ = 0;
-  // Pace: the recording's time [s] at a time of the clock.
+  // Pace: a time of the recording [s] and the corresponding time of the clock.
   double anchor_time_;
   Clock::time_point anchor_ = Clock::now();
 

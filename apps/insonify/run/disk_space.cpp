@@ -25,8 +25,8 @@ std::string bytes_text(std::uint64_t bytes) {
 
 }  // namespace
 
-void tell_disk_space(const Scenario& scenario, const ScenarioRequests& requests, const std::filesystem::path& folder,
-                     const RunOptions& options, const MessageOptions& messages) {
+void report_disk_space(const Scenario& scenario, const ScenarioRequests& requests, const std::filesystem::path& folder,
+                       const RunOptions& options, const MessageOptions& messages) {
   std::uint64_t needed = 0;
   for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
     const std::uint64_t pings = requests.ping_count(static_cast<int>(i));

@@ -13,7 +13,7 @@ namespace insonify {
 /// the run ends when the disk is full, and keeps the pings made so far.
 /// @param messages  What MCAP recordings hold.
 /// @param folder  Folder of the recordings; need not exist yet.
-void tell_disk_space(const Scenario& scenario, const ScenarioRequests& requests, const std::filesystem::path& folder,
-                     const RunOptions& options, const MessageOptions& messages);
+void report_disk_space(const Scenario& scenario, const ScenarioRequests& requests, const std::filesystem::path& folder,
+                       const RunOptions& options, const MessageOptions& messages);
 
 }  // namespace insonify

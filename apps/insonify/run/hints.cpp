@@ -41,14 +41,14 @@ std::string silenced_text(const SonarConfig& sonar) {
 
 void Loudness::add(const Ping& ping) {
   for (std::size_t i = 0; i < ping.intensity.size(); ++i) {
-    // Without labels, noise cannot be told from an echo.
+    // Without labels, noise cannot be distinguished from an echo.
     if (ping.instance.empty() || ping.instance[i] != kNoLabel) {
       loudest_ = std::max(loudest_, static_cast<double>(ping.intensity[i]));
     }
   }
 }
 
-bool hears_more_than_surfaces(const Scenario& scenario) {
+bool receives_more_than_surfaces(const Scenario& scenario) {
   return !scenario.points.empty() || !scenario.interferers.empty() || scenario.water.volume_backscatter_db.has_value();
 }
 
@@ -60,7 +60,7 @@ std::string silence_text(const Simulator& simulator, int sonar) {
                                                            : fmt::format("the world reaches from {} to {} m",
                                                                          point_text(world.low), point_text(world.high));
   return fmt::format(
-      "nothing was heard in any ping of {}: {}, the sonar was at {} m at first, looking along {}, and hears from "
+      "nothing was received in any ping of {}: {}, the sonar was at {} m at first, looking along {}, and receives from "
       "{:.4g} to {:.4g} m{}",
       config.name, where, point_text(world_from_head.position), point_text(world_from_head.orientation * Vec3::UnitX()),
       std::max(config.min_range, config.dead_range), config.max_range, silenced_text(config));

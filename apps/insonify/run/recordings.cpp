@@ -1,4 +1,4 @@
-// recordings.cpp -- hands each ping to every recording of its sonar.
+// recordings.cpp -- writes each ping to every recording of its sonar.
 
 #include "run/recordings.h"
 

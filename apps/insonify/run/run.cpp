@@ -38,7 +38,7 @@ void print_world(const Scene& scene, double seconds) {
 }
 
 // Reading can take long: the world may be large, or the file a pipe without a writer.
-void tell_of_reading(const RunOptions& options) {
+void announce_reading(const RunOptions& options) {
   std::error_code ignored;
   if (options.quiet) {
     return;
@@ -54,7 +54,7 @@ void tell_of_reading(const RunOptions& options) {
 Simulator prepare(const RunOptions& options, const std::filesystem::path& folder, PictureStyle& style) {
   return checked_input([&] {
     const Clock::time_point start = Clock::now();
-    tell_of_reading(options);
+    announce_reading(options);
     Scenario scenario = load_scenario(options.scenario, options.settings, log_to_user(options.quiet));
     style = picture_style(options.pictures, scenario.model, scenario.receiver);
     for (const SonarConfig& sonar : scenario.sonars) {
@@ -120,7 +120,7 @@ int next_sonar(const ScenarioRequests& requests, const std::vector<Track>& track
   return next;
 }
 
-// Computes the pings of all sonars in the order of their times, until all are done or a stop is requested. A run that
+// Computes the pings of all sonars in order of time, until all are done or a stop is requested. A run that
 // is stopped or killed so leaves recordings that end at the same time.
 // @return  Computing time without recording and drawing [s].
 double make_pings(Simulator& simulator, const ScenarioRequests& requests, std::vector<Track>& tracks, bool quiet) {
@@ -142,7 +142,7 @@ double make_pings(Simulator& simulator, const ScenarioRequests& requests, std::v
     track.pictures.add(track.ping);
     track.loudness.add(track.ping);
     if (track.made == 0) {
-      track.heard = heard_text(simulator.scene(), simulator.sonar(sonar), track.ping);
+      track.first_ping = first_ping_text(simulator.scene(), simulator.sonar(sonar), track.ping);
     }
     ++track.made;
     progress.advance();
@@ -150,9 +150,9 @@ double make_pings(Simulator& simulator, const ScenarioRequests& requests, std::v
   return computing;
 }
 
-// make_pings(); adds to its errors where the pings made so far are.
-double make_pings_or_tell(Simulator& simulator, const ScenarioRequests& requests, std::vector<Track>& tracks,
-                          PictureFolder& pictures, bool quiet) {
+// make_pings() whose errors say where the pings made so far are.
+double make_pings_or_explain(Simulator& simulator, const ScenarioRequests& requests, std::vector<Track>& tracks,
+                             PictureFolder& pictures, bool quiet) {
   try {
     return make_pings(simulator, requests, tracks, quiet);
   } catch (const Error& error) {
@@ -167,7 +167,7 @@ void print_hints(const Simulator& simulator, const std::vector<Track>& tracks, c
   for (std::size_t i = 0; i < tracks.size(); ++i) {
     const Loudness& loudness = tracks[i].loudness;
     const int sonar = static_cast<int>(i);
-    if (tracks[i].made > 0 && !loudness.heard() && !hears_more_than_surfaces(simulator.scenario())) {
+    if (tracks[i].made > 0 && !loudness.has_echo() && !receives_more_than_surfaces(simulator.scenario())) {
       complain("warning: " + silence_text(simulator, sonar));
     } else if (simulator.scenario().model == EchoModel::kPaper && loudness.dim() && display.scale == Scale::kLinear &&
                !tracks[i].pictures.files().empty() && !quiet) {
@@ -200,11 +200,11 @@ int run(const RunOptions& options) {
   print_oddities(simulator, requests, options.quiet);
   if (const auto unfinished = unfinished_recordings(folder, simulator.scenario(), options.record.endings());
       !unfinished.empty()) {
-    complain(fmt::format("warning: {}{} is an unfinished recording, of a run that was killed or still goes on",
+    complain(fmt::format("warning: {}{} is an unfinished recording, of a run that was killed or is still running",
                          unfinished.front().string(),
                          unfinished.size() == 1 ? "" : fmt::format(" (and {} more)", unfinished.size() - 1)));
   }
-  tell_disk_space(simulator.scenario(), requests, folder, options, message_options(style, options.messages));
+  report_disk_space(simulator.scenario(), requests, folder, options, message_options(style, options.messages));
   const std::vector<View> views = draw_views(simulator, requests, options, style.display);
   note_when_asked();
   simulator.stop_when(&stop_asked());
@@ -213,7 +213,7 @@ int run(const RunOptions& options) {
       start_tracks(simulator, requests, folder, options.pictures, choice, pictures, record_options(options, style));
   const std::vector<std::filesystem::path> view_files = write_views(views, pictures);
 
-  const double computing = make_pings_or_tell(simulator, requests, tracks, pictures, options.quiet);
+  const double computing = make_pings_or_explain(simulator, requests, tracks, pictures, options.quiet);
   const bool replaced = finish_tracks(tracks, pictures, options.quiet);
   std::uint64_t made = 0;
   for (const Track& track : tracks) {

@@ -1,4 +1,4 @@
-// solids_met.cpp -- tries poses of a run, with everything where it is at that time.
+// solids_met.cpp -- tests poses of a run, with all objects placed as at that time.
 
 #include "run/solids_met.h"
 
@@ -33,9 +33,9 @@ std::vector<std::string> solids_met(Simulator& simulator, const ScenarioRequests
     const Scene scene = simulator.scene_at(request);
     for (const int inside : scene.solids_around(simulator.world_from_head(sonar, request).position)) {
       if (met.insert(inside).second) {
-        texts.push_back(
-            fmt::format("{} {} inside of {}, whose surface it hears from within", simulator.sonar(sonar).name,
-                        ping == 0 ? "begins" : fmt::format("is at ping {}", ping), scene.instances[inside].name));
+        texts.push_back(fmt::format("{} {} inside of {}, and receives its inner surface", simulator.sonar(sonar).name,
+                                    ping == 0 ? "begins" : fmt::format("is at ping {}", ping),
+                                    scene.instances[inside].name));
       }
     }
   }

@@ -92,8 +92,8 @@ std::string listed(const std::vector<std::filesystem::path>& files) {
 void print_track(const Track& track, const SonarConfig& sonar) {
   say("{}: {} of {} x {} to {:.4g} m{}{}\n", sonar.name, counted(track.made, "ping"),
       counted(static_cast<std::uint64_t>(sonar.beam_count), "beam"),
-      counted(static_cast<std::uint64_t>(sonar.bin_count), "bin"), sonar.max_range, track.heard.empty() ? "" : "; ",
-      track.heard);
+      counted(static_cast<std::uint64_t>(sonar.bin_count), "bin"), sonar.max_range,
+      track.first_ping.empty() ? "" : "; ", track.first_ping);
   for (const std::filesystem::path& file : track.recordings.files()) {
     say("  {}\n", file.string());
   }

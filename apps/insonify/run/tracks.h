@@ -22,7 +22,7 @@ struct Track {
   Ping ping = {}, next = {};  ///< The last recorded ping; the ping being computed.
   std::uint64_t made = 0;     ///< Pings so far.
   Loudness loudness = {};
-  std::string heard = {};  ///< Text about the first ping: see heard_text().
+  std::string first_ping = {};  ///< Text about the first ping: see first_ping_text().
 };
 
 /// Style of one sonar's pictures. With options.counts, a sonar that has no counts beside others that have some shows

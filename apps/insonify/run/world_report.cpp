@@ -23,7 +23,7 @@ bool is_empty(const Box3& box) {
   return box.low.x() > box.high.x();
 }
 
-// Bounds of the scene without its planes, which stand for grounds without an end; of all where there is nothing else.
+// Bounds of the scene without its planes, which represent endless grounds; of all if there is nothing else.
 Box3 extent_of(const Scene& scene) {
   constexpr std::size_t kTrianglesOfAPlane = 2;
   Scene solids;
@@ -149,7 +149,7 @@ std::vector<std::string> lengths_of(const Simulator& simulator, const ScenarioRe
   return texts;
 }
 
-std::string heard_text(const Scene& scene, const SonarConfig& sonar, const Ping& ping) {
+std::string first_ping_text(const Scene& scene, const SonarConfig& sonar, const Ping& ping) {
   if (ping.instance.empty()) {
     return "";
   }
@@ -168,9 +168,9 @@ std::string heard_text(const Scene& scene, const SonarConfig& sonar, const Ping&
   const auto present =
       std::ranges::count_if(scene.instances, [](const Instance& instance) { return instance.present; });
   if (objects.empty()) {
-    return fmt::format("its first hears none of {} object{}", present, present == 1 ? "" : "s");
+    return fmt::format("first ping: echoes of none of {} object{}", present, present == 1 ? "" : "s");
   }
-  return fmt::format("its first hears {} of {} object{}, from {:.3g} to {:.3g} m", objects.size(), present,
+  return fmt::format("first ping: echoes of {} of {} object{}, from {:.3g} to {:.3g} m", objects.size(), present,
                      present == 1 ? "" : "s", sonar.bin_range(nearest), sonar.bin_range(farthest));
 }
 

@@ -20,7 +20,7 @@ namespace insonify {
 /// Sonars whose pings end long before or after a trajectory does, one line each.
 [[nodiscard]] std::vector<std::string> lengths_of(const Simulator& simulator, const ScenarioRequests& requests);
 
-/// "its first hears 3 of 12 objects, from 2.31 to 14.9 m"; "" if the ping has no labels.
-[[nodiscard]] std::string heard_text(const Scene& scene, const SonarConfig& sonar, const Ping& ping);
+/// "first ping: echoes of 3 of 12 objects, from 2.31 to 14.9 m"; "" if the ping has no labels.
+[[nodiscard]] std::string first_ping_text(const Scene& scene, const SonarConfig& sonar, const Ping& ping);
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// foxglove_client.cpp -- carries out a client's requests to subscribe, and sends it messages.
+// foxglove_client.cpp -- handles a client's subscriptions and sends it messages.
 
 #include "serve/foxglove_client.h"
 
@@ -15,7 +15,7 @@
 namespace insonify {
 namespace {
 
-// Opcode, subscription and time that stand before a message.
+// Header of a message: opcode, subscription and time.
 std::string data_head(std::uint32_t subscription, std::uint64_t time_ns) {
   constexpr char kMessageData = 1;
   std::array<char, 13> head{kMessageData};
@@ -56,13 +56,13 @@ FoxgloveClient::~FoxgloveClient() {
 }
 
 void FoxgloveClient::on_binary(std::string_view /*bytes*/) {
-  send_status(FoxgloveStatus::kWarning, "nothing can be published here");
+  send_status(FoxgloveStatus::kWarning, "publishing is not supported");
 }
 
 void FoxgloveClient::on_text(std::string_view text) {
   const nlohmann::json message = nlohmann::json::parse(text, nullptr, false);
   if (message.is_discarded() || !message.is_object() || !message.contains("op") || !message["op"].is_string()) {
-    throw Error("the message is no JSON object with an op");
+    throw Error("the message is not a JSON object with an op");
   }
   const std::string op = message["op"].get<std::string>();
   if (op == "subscribe") {
@@ -74,7 +74,7 @@ void FoxgloveClient::on_text(std::string_view text) {
       subscriptions_.erase(id_of(one, "subscriptionIds"));
     }
   } else {
-    send_status(FoxgloveStatus::kWarning, fmt::format("{} is not done here", printable(op)));
+    send_status(FoxgloveStatus::kWarning, fmt::format("{} is not supported", printable(op)));
   }
 }
 
@@ -93,7 +93,7 @@ void FoxgloveClient::send(std::uint32_t channel, bool once, const EncodedMessage
       continue;
     }
     subscription.sent.insert(message.sonar);
-    // Sonars share topics: each has a stream of its own, so that none drops the messages of another.
+    // Sonars share topics; a stream of its own per sonar keeps one from dropping another's messages.
     constexpr std::uint32_t kSonars = 1U << 16U;
     connection_.send({.bytes = message.bytes,
                       .head = data_head(id, message.time_ns),
@@ -125,7 +125,7 @@ void FoxgloveClient::subscribe(const nlohmann::json& wanted) {
   if (std::ranges::none_of(feed_.channels_, is_it)) {
     send_status(FoxgloveStatus::kWarning, fmt::format("there is no channel {}", channel));
   } else if (subscriptions_.contains(id) || subscriptions_.size() >= kMost) {
-    send_status(FoxgloveStatus::kWarning, fmt::format("subscription {} is there already, or there are too many", id));
+    send_status(FoxgloveStatus::kWarning, fmt::format("subscription {} exists already, or there are too many", id));
   } else {
     subscriptions_[id] = {.channel = channel, .sent = {}};
     feed_.want_last(channel);

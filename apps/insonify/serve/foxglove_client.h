@@ -8,7 +8,7 @@
 
 namespace insonify {
 
-/// One client: its subscriptions. A message of wrong form ends the connection, by exception.
+/// One client and its subscriptions. A malformed message ends the connection, by exception.
 class FoxgloveClient : public Client {
  public:
   /// Sends the server's name and its channels. Both arguments must outlive the client.
@@ -24,21 +24,21 @@ class FoxgloveClient : public Client {
   void send_status(FoxgloveStatus level, const std::string& text);
 
   /// Sends a message to the subscriptions of a channel. A scenario's text (`once`) goes to each subscription once. A
-  /// message that is sent again goes to subscriptions that have none of its sonar yet.
+  /// repeated message goes to subscriptions that have none of its sonar yet.
   void send(std::uint32_t channel, bool once, const EncodedMessage& message);
 
-  /// Whether there is a subscription, or if each gets a single message, one that has none yet.
+  /// Whether there is a subscription; with `once`, one that has not had its message.
   [[nodiscard]] bool wants(std::uint32_t channel, bool once) const;
 
   void forget_channels() { subscriptions_.clear(); }
 
-  /// The scenario has been replaced: its text and its pings are sent anew.
+  /// To be called when the scenario was replaced: its text and pings are sent again.
   void forget_sent();
 
  private:
   struct Subscription {
     std::uint32_t channel = 0;
-    std::set<int> sent;  // Sonars of which a message has been sent.
+    std::set<int> sent;  // Sonars whose messages were sent.
   };
 
   void subscribe(const nlohmann::json& wanted);

@@ -1,4 +1,4 @@
-// foxglove_encoder.cpp -- takes pings from a short queue and encodes them.
+// foxglove_encoder.cpp -- encodes pings from a short queue.
 
 #include "serve/foxglove_encoder.h"
 

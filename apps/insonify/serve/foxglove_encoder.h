@@ -1,4 +1,4 @@
-// foxglove_encoder.h -- a thread that encodes pings as ROS 2 messages, beside the server's own.
+// foxglove_encoder.h -- a thread that encodes pings as ROS 2 messages, apart from the server's own.
 
 #pragma once
 
@@ -18,26 +18,26 @@
 
 namespace insonify {
 
-/// A ping to be encoded, and those of SonarMessages::channels() that somebody wants.
+/// A ping to encode, and the subscribed ones of SonarMessages::channels().
 struct EncoderJob {
   std::shared_ptr<const LivePing> ping;
   std::set<std::size_t> channels;
-  double time_offset = 0;  ///< Added to the time of the ping, so that stamps rise over changes [s].
-  bool again = false;      ///< Whether the ping was there before: for subscriptions that have nothing of its sonar yet.
+  double time_offset = 0;  ///< Added to the ping's time, so that stamps increase across changes [s].
+  bool again = false;      ///< Whether the ping is repeated, for subscriptions that have nothing of its sonar yet.
 };
 
-/// A message: what `channel` tells of the sonar's ping.
+/// The message of `channel` for the sonar's ping.
 struct EncodedMessage {
   std::shared_ptr<const LiveWorld> world;
   int sonar = 0;
   std::size_t channel = 0;
-  bool again = false;  ///< As the job's.
+  bool again = false;  ///< As in the job.
   std::uint64_t time_ns = 0;
   std::shared_ptr<const std::string> bytes;
 };
 
-/// Drawing a fan takes longer than all else that a server does for a ping. Where it does not keep up, pings are left
-/// out, but not those that are there again: jobs of these with the same ping are merged.
+/// Drawing a fan takes longer than the rest of a server's work for a ping. If the thread cannot keep up, pings are
+/// dropped, except repeated ones: their jobs for the same ping are merged.
 class FoxgloveEncoder {
  public:
   /// @param deliver  Called in the encoder's thread.
@@ -58,10 +58,10 @@ class FoxgloveEncoder {
   std::condition_variable wake_;
   std::deque<EncoderJob> jobs_;
   bool ending_ = false;
-  // Used by the thread alone.
+  // Used by the thread only.
   std::shared_ptr<const LiveWorld> world_;
   std::vector<SonarMessages> messages_;                 // Messages of each sonar ...
-  std::vector<std::shared_ptr<const LivePing>> taken_;  // ... and the ping that they are about.
+  std::vector<std::shared_ptr<const LivePing>> taken_;  // ... and the ping that they describe.
   std::thread thread_;
 };
 

@@ -1,4 +1,4 @@
-// foxglove_feed.cpp -- makes the channels of a scenario's sonars, and gives encoded messages to the clients.
+// foxglove_feed.cpp -- makes the channels of a scenario's sonars and passes encoded messages to the clients.
 
 #include "serve/foxglove_feed.h"
 
@@ -38,7 +38,7 @@ std::unique_ptr<Client> FoxgloveFeed::client(Connection& connection) {
   return std::make_unique<FoxgloveClient>(connection, *this);
 }
 
-// Time stamps start at the clock's time when a run starts, and never before the last stamp of the run before.
+// Stamps start at the clock's time when a run starts, but not before the last stamp of the previous run.
 void FoxgloveFeed::on_world() {
   const double now = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
   time_offset_ = std::max(now, last_time_);
@@ -86,7 +86,7 @@ bool FoxgloveFeed::is_wanted(const FoxgloveChannel& channel) const {
 
 void FoxgloveFeed::on_ping(SharedPing& shared) {
   if (names_of(hub_.world()) != names_) {
-    return;  // A ping of new sonars: on_world(), which makes their channels, is called next, and finds it as the last.
+    return;  // A ping of new sonars: on_world(), called next, makes their channels and sends it as the last ping.
   }
   EncoderJob job{.ping = shared.shared(), .channels = {}, .time_offset = time_offset_};
   last_time_ = time_offset_ + job.ping->ping.time;
@@ -101,7 +101,7 @@ void FoxgloveFeed::on_ping(SharedPing& shared) {
   }
 }
 
-// A client that comes late, or while nothing is made, gets the last message at once.
+// Late clients, and clients during a pause, get the last message at once.
 void FoxgloveFeed::want_last(std::uint32_t id) {
   for (const FoxgloveChannel& channel : channels_) {
     if (channel.id != id) {
@@ -117,7 +117,7 @@ void FoxgloveFeed::want_last(std::uint32_t id) {
 
 void FoxgloveFeed::deliver(const EncodedMessage& message) {
   if (message.world.get() != &hub_.world()) {
-    return;  // The ping belongs to a scenario that has been replaced since.
+    return;  // Its scenario has been replaced.
   }
   for (const FoxgloveChannel& channel : channels_) {
     const auto source = channel.sources.find(message.sonar);

@@ -14,13 +14,13 @@
 
 namespace insonify {
 
-/// The name of today's clients, and that of those until 2025.
+/// Subprotocols of current clients, and of those until 2025.
 inline constexpr std::string_view kFoxgloveSdkProtocol = "foxglove.sdk.v1";
 inline constexpr std::string_view kFoxgloveProtocol = "foxglove.websocket.v1";
 
 class FoxgloveClient;
 
-/// What all Foxglove clients share. In the server's thread.
+/// State shared by all Foxglove clients. For the server's thread.
 class FoxgloveFeed : public HubMember {
  public:
   FoxgloveFeed(Hub& hub, const MessageOptions& options);
@@ -45,7 +45,7 @@ class FoxgloveFeed : public HubMember {
   Hub& hub_;
   std::set<FoxgloveClient*> clients_;
   std::vector<FoxgloveChannel> channels_;
-  std::vector<std::string> names_;  // Names of the sonars when channels were made.
+  std::vector<std::string> names_;  // Sonars for which channels were made.
   std::uint32_t next_id_ = 1;
   double time_offset_ = 0, last_time_ = 0;  // [s]
   std::unique_ptr<FoxgloveEncoder> encoder_;

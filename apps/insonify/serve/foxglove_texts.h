@@ -1,4 +1,4 @@
-// foxglove_texts.h -- texts that a server of the Foxglove WebSocket protocol sends, as JSON.
+// foxglove_texts.h -- JSON messages of a Foxglove WebSocket server.
 
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace insonify {
 
-/// A channel as advertised: of one sonar, or of all sonars where they share topics.
+/// An advertised channel, of one sonar or of all sonars that share a topic.
 struct FoxgloveChannel {
   std::uint32_t id = 0;
   MessageChannel is;
@@ -22,7 +22,7 @@ struct FoxgloveChannel {
 /// Levels of a status message.
 enum class FoxgloveStatus { kInfo = 0, kWarning = 1 };
 
-/// Name and session of this server, for a client that has connected.
+/// Name and session of this server, for a new client.
 [[nodiscard]] std::string server_info_text();
 [[nodiscard]] std::string status_text(FoxgloveStatus level, const std::string& text);
 [[nodiscard]] std::string advertise_text(std::span<const FoxgloveChannel> channels);

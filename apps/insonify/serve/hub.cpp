@@ -1,4 +1,4 @@
-// hub.cpp -- hands pings from the source's thread to the server's, and encodes what all clients get.
+// hub.cpp -- passes pings from the source's thread to the server's, and encodes messages for all clients.
 
 #include "serve/hub.h"
 
@@ -20,7 +20,7 @@ const Bytes& SharedPing::frame(unsigned tables) {
 }
 
 void Hub::on_ping(const std::shared_ptr<const LivePing>& ping) {
-  // Where the server's thread does not keep up, the oldest fall out; not one of each sonar, for all are waited for.
+  // If the server's thread cannot keep up, the oldest are dropped. The queue has room for a ping of every sonar.
   const std::size_t most_waiting = 8 + ping->world->sonars.size();
   const std::lock_guard lock(mutex_);
   waiting_.push_back(ping);
@@ -55,7 +55,7 @@ void Hub::on_world(const std::shared_ptr<const LiveWorld>& world) {
 
 void Hub::on_note(const std::string& text) {
   complain(text);
-  post([this, text] { tell_note(text); });
+  post([this, text] { send_note(text); });
 }
 
 void Hub::on_recorded(const LiveRecording& recording) {
@@ -64,10 +64,10 @@ void Hub::on_recorded(const LiveRecording& recording) {
     say("{}\n", text);
     flush_output();
   }
-  post([this, text] { tell_note(text); });
+  post([this, text] { send_note(text); });
 }
 
-void Hub::tell_note(const std::string& text) {
+void Hub::send_note(const std::string& text) {
   for (HubMember* member : members_) {
     member->on_note(text);
   }
@@ -82,7 +82,7 @@ void Hub::take_pings() {
   }
   for (const std::shared_ptr<const LivePing>& ping : taken) {
     if (ping->world != world_) {
-      continue;  // Last ping of the world before.
+      continue;  // Last ping of the previous world.
     }
     ++pings_;
     computing_time_ += ping->computing_time;
@@ -93,26 +93,26 @@ void Hub::take_pings() {
     if (!hello_) {
       greet();
     } else if (other_levels) {
-      tell_levels(sonar);
+      send_levels(sonar);
     }
     for (HubMember* member : std::set<HubMember*>(members_)) {
       member->on_ping(*shared);
     }
   }
-  tell_position();
+  send_position();
 }
 
-// Where a recording is, also to those whose sonar has no ping there.
-void Hub::tell_position() {
+// Sends a recording's position, also to clients whose sonar has no ping there.
+void Hub::send_position() {
   constexpr std::chrono::milliseconds kBetween(100);
   const auto now = std::chrono::steady_clock::now();
-  if (source_.playback() != nullptr && (source_.state().paused || now - told_position_at_ > kBetween)) {
-    told_position_at_ = now;
-    tell_state();
+  if (source_.playback() != nullptr && (source_.state().paused || now - sent_position_at_ > kBetween)) {
+    sent_position_at_ = now;
+    send_state();
   }
 }
 
-// Once levels of all sonars are known, from their first pings.
+// Only once the levels of all sonars are known, from their first pings.
 bool Hub::make_hello() {
   std::vector<ShownLevels> levels;
   for (const ShownScale& scale : scales_) {
@@ -134,8 +134,8 @@ void Hub::greet() {
   }
 }
 
-void Hub::tell_levels(std::size_t sonar) {
-  (void)make_hello();  // For those who come later.
+void Hub::send_levels(std::size_t sonar) {
+  (void)make_hello();  // For later clients.
   const Bytes text =
       std::make_shared<const std::string>(levels_text(world_->sonars[sonar].name, *scales_[sonar].levels()));
   for (HubMember* member : std::set<HubMember*>(members_)) {
@@ -150,7 +150,7 @@ void Hub::leave(HubMember& member) {
   }
 }
 
-void Hub::tell_state() {
+void Hub::send_state() {
   const auto now = std::chrono::steady_clock::now();
   const double seconds = std::chrono::duration<double>(now - counted_at_).count();
   if (seconds > 0.9) {
@@ -166,11 +166,11 @@ void Hub::tell_state() {
   }
 }
 
-void Hub::tell_state_soon() {
+void Hub::send_state_soon() {
   if (!telling_.exchange(true)) {
     post([this] {
       telling_ = false;
-      tell_state();
+      send_state();
     });
   }
 }

@@ -17,13 +17,13 @@
 
 namespace insonify {
 
-/// A ping on its way to clients: what is encoded of it is kept for the others.
+/// A ping to be sent; caches its encoded messages for all clients.
 class SharedPing {
  public:
   explicit SharedPing(std::shared_ptr<const LivePing> ping) : ping_(std::move(ping)) {}
   [[nodiscard]] const LivePing& ping() const { return *ping_; }
   [[nodiscard]] const std::shared_ptr<const LivePing>& shared() const { return ping_; }
-  /// ping_frame(), made once for each choice of tables.
+  /// ping_frame(), made once for each set of tables.
   [[nodiscard]] const Bytes& frame(unsigned tables);
 
  private:
@@ -31,7 +31,7 @@ class SharedPing {
   std::map<unsigned, Bytes> frames_;
 };
 
-/// What a hub tells one client. Called in the server's thread.
+/// Receives a hub's events for one client. Called in the server's thread.
 class HubMember {
  public:
   virtual ~HubMember() = default;
@@ -39,27 +39,27 @@ class HubMember {
   virtual void on_world() = 0;
   virtual void on_state() = 0;
   virtual void on_note(const std::string& text) = 0;
-  /// @param text  levels_text() of a sonar whose pictures are shown with others from now on.
+  /// @param text  levels_text() of a sonar whose display levels have changed.
   virtual void on_levels(const Bytes& /*text*/) {}
-  /// Velocity with which it steers.
+  /// Velocity that this client steers with.
   [[nodiscard]] virtual bool flies() const { return false; }
 };
 
-/// Takes pings from the source's thread to the server's. Of each sonar only the last few wait there.
+/// Passes pings from the source's thread to the server's, through a queue of the last few per sonar.
 class Hub : public LiveListener {
  public:
-  /// @param recording  A file that names of recordings are made from.
-  /// @param quiet      Whether recordings that have ended are not told on the terminal.
+  /// @param recording  File name from which names of recordings are derived.
+  /// @param quiet      Do not print finished recordings on the terminal.
   Hub(PingSource& source, NetServer& server, std::filesystem::path recording, bool quiet)
       : source_(source), server_(server), recording_(std::move(recording)), quiet_(quiet) {}
 
-  // Threads of the source. The terminal is told at once, as the server's thread may have ended.
+  // For the source's threads. These print on the terminal at once, since the server's thread may have ended.
   void on_ping(const std::shared_ptr<const LivePing>& ping) override;
   void on_world(const std::shared_ptr<const LiveWorld>& world) override;
   void on_note(const std::string& text) override;
   void on_recorded(const LiveRecording& recording) override;
 
-  // The server's thread.
+  // For the server's thread.
   void join(HubMember& member) { members_.insert(&member); }
   void client_came() { ++counts_.clients; }
   void client_left() { --counts_.clients; }
@@ -73,23 +73,23 @@ class Hub : public LiveListener {
     return last_pings_.at(static_cast<std::size_t>(sonar));
   }
   [[nodiscard]] const ServerCounts& counts() const { return counts_; }
-  /// Counts the rate anew and tells all clients how things stand.
-  void tell_state();
-  /// Has tell_state() called soon, in the server's thread. From any thread.
-  void tell_state_soon();
-  /// Has a function called in the server's thread, if that still runs. From any thread.
+  /// Updates the rate and sends the state to all clients.
+  void send_state();
+  /// Schedules send_state() in the server's thread. From any thread.
+  void send_state_soon();
+  /// Posts a function to the server's thread, if that still runs. From any thread.
   void post(std::function<void()> function) { server_.post(std::move(function)); }
 
-  /// A file name for a recording that is not there yet.
+  /// An unused file name for a recording.
   [[nodiscard]] std::filesystem::path recording_path(const std::string& ending);
   [[nodiscard]] std::uint64_t pings() const { return pings_; }
 
  private:
-  void tell_note(const std::string& text);
+  void send_note(const std::string& text);
   void take_pings();
-  void tell_position();
+  void send_position();
   void greet();
-  void tell_levels(std::size_t sonar);
+  void send_levels(std::size_t sonar);
   [[nodiscard]] bool make_hello();
 
   PingSource& source_;
@@ -97,7 +97,7 @@ class Hub : public LiveListener {
   std::filesystem::path recording_;
   bool quiet_;
 
-  std::mutex mutex_;  // Guards what follows, up to the blank line.
+  std::mutex mutex_;  // Guards the members below, up to the blank line.
   std::deque<std::shared_ptr<const LivePing>> waiting_;
   bool asked_ = false;
 
@@ -111,7 +111,7 @@ class Hub : public LiveListener {
   std::uint64_t pings_ = 0, counted_pings_ = 0;
   double computing_time_ = 0;
   std::chrono::steady_clock::time_point counted_at_ = std::chrono::steady_clock::now();
-  std::chrono::steady_clock::time_point told_position_at_;
+  std::chrono::steady_clock::time_point sent_position_at_;
   ServerCounts counts_;
 };
 

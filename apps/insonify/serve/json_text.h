@@ -1,4 +1,4 @@
-// json_text.h -- values and texts of the viewer's messages, as JSON.
+// json_text.h -- JSON values and texts of the viewer's messages.
 
 #pragma once
 
@@ -11,7 +11,7 @@ namespace insonify {
 
 using Json = nlohmann::ordered_json;  ///< Members in the order in which they were added.
 
-/// The text of a message. Names come from files, and may not be UTF-8: what is not is replaced by U+FFFD.
+/// The text of a message. Names come from files and may be invalid UTF-8: invalid bytes become U+FFFD.
 [[nodiscard]] inline std::string dumped(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

@@ -1,4 +1,4 @@
-// message_members.cpp -- takes members from messages, or says what they must be.
+// message_members.cpp -- reads members of messages and checks their types.
 
 #include "serve/message_members.h"
 

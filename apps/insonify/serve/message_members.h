@@ -1,4 +1,4 @@
-// message_members.h -- members of a page's messages, checked for their form.
+// message_members.h -- reads members of a page's messages and checks their types.
 
 #pragma once
 
@@ -11,13 +11,13 @@
 
 namespace insonify {
 
-/// What is wrong with the form of a message: it ends the connection. What is wrong with a value is answered.
+/// A malformed message: it ends the connection. Invalid values are answered with an error instead.
 class FormError : public Error {
  public:
   using Error::Error;
 };
 
-/// @throws FormError where a message lacks the key, or its value is of another kind: all functions here.
+/// All functions here throw FormError for a missing key or a value of the wrong type.
 [[nodiscard]] const nlohmann::json& member(const nlohmann::json& message, const char* key);
 [[nodiscard]] std::string text_of(const nlohmann::json& message, const char* key);
 [[nodiscard]] bool switch_of(const nlohmann::json& message, const char* key);

@@ -1,4 +1,4 @@
-// page_files.cpp -- finds the files of the page, and tells their types.
+// page_files.cpp -- finds the files of the page and their media types.
 
 #include "serve/page_files.h"
 
@@ -25,7 +25,7 @@ std::string_view type_of(std::string_view path) {
   return type == kTypes.end() ? "application/octet-stream" : type->second;
 }
 
-// Whether a path has nothing in it that leads out of a folder, or to a hidden file.
+// Whether a path stays inside its folder and names no hidden file.
 bool stays_inside(std::string_view path) {
   const bool plain = std::ranges::all_of(path, [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '_' ||

@@ -1,4 +1,4 @@
-// page_files.h -- the files of the viewer's page, inside the program.
+// page_files.h -- the files of the viewer's page, embedded in the program.
 
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace insonify {
 
-/// Where the bytes of a file begin and end.
+/// The bytes of a file.
 struct PageBytes {
   const char *begin = nullptr, *end = nullptr;
 };
@@ -20,7 +20,7 @@ struct PageBytes {
 [[nodiscard]] const std::map<std::string_view, PageBytes>& page_table();
 
 /// A file of the page; "/" is "/index.html".
-/// @param folder  Where to read files from instead, for those who work on the page; "" for those in the program.
+/// @param folder  Read files from this folder instead, for work on the page; "": those in the program.
 [[nodiscard]] std::optional<ServedFile> page_file(std::string_view path, const std::filesystem::path& folder);
 
 }  // namespace insonify

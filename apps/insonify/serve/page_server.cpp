@@ -1,4 +1,4 @@
-// page_server.cpp -- checks who may connect, and shuts down in the right order.
+// page_server.cpp -- checks access options, and shuts down in the right order.
 
 #include "serve/page_server.h"
 
@@ -18,14 +18,14 @@
 namespace insonify {
 namespace {
 
-// What a browser must be told.
+// The query that a browser needs.
 std::string url_of(const PageServerOptions& options, const std::string& host, std::uint16_t port) {
   const bool bracket = host.find(':') != std::string::npos;
   return fmt::format("http://{}{}{}:{}/{}{}", bracket ? "[" : "", host, bracket ? "]" : "", port,
                      options.token.empty() ? "" : "?token=", encoded(options.token));
 }
 
-// The first line is the address; where all interfaces are listened on, others may follow.
+// The first line is the address; others may follow when listening on all interfaces.
 void print_addresses(const PageServerOptions& options, std::uint16_t port) {
   const bool all = options.address == "0.0.0.0" || options.address == "::";
   std::vector<std::string> hosts = all ? own_addresses(options.address == "::") : std::vector{options.address};
@@ -46,12 +46,12 @@ void check(const PageServerOptions& options) {
     }
   }
   if (options.token.empty() && !is_loopback(options.address)) {
-    throw InputError(fmt::format("--address {} can be reached by others: it needs a --token, which they must tell",
+    throw InputError(fmt::format("--address {} can be reached by others: it needs a --token, which clients must send",
                                  printable(options.address)));
   }
 }
 
-// Ends a source before what listens to it, whatever happens.
+// Ends a source before its listeners, also on an exception.
 class SourceEnd {
  public:
   explicit SourceEnd(PingSource& source) : source_(source) {}
@@ -100,7 +100,7 @@ void PageServer::show(PingSource& source, const std::filesystem::path& recording
   if (started) {
     started();
   }
-  server_->every(std::chrono::seconds(1), [&hub] { hub.tell_state(); });
+  server_->every(std::chrono::seconds(1), [&hub] { hub.send_state(); });
   print_addresses(options_, server_->port());
   server_->run();
   source.end();

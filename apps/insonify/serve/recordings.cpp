@@ -1,4 +1,4 @@
-// recordings.cpp -- checks the names of recordings, and describes those that have ended.
+// recordings.cpp -- checks the names of recordings, and describes finished ones.
 
 #include "serve/recordings.h"
 
@@ -23,7 +23,7 @@ void refuse_recordings(const std::filesystem::path& recording, std::span<const S
     }
     if (!replace) {
       const bool scenario = file == files.back();
-      throw InputError(fmt::format("--record {}: {} is there already{}; --force replaces it, or give another name",
+      throw InputError(fmt::format("--record {}: {} exists already{}; --force replaces it, or give another name",
                                    recording.string(), file.string(),
                                    scenario ? ", where the scenario that repeats the recording is to be written" : ""));
     }

@@ -10,9 +10,9 @@
 
 namespace insonify {
 
-/// Refuses a recording whose files are there already, unless they may be replaced, and one whose scenario would replace
-/// that which is served.
-/// @throws InputError with the first such file and what to do.
+/// Refuses a recording whose files exist already, unless they may be replaced, and one whose scenario would replace the
+/// served scenario.
+/// @throws InputError with the first such file and a remedy.
 void refuse_recordings(const std::filesystem::path& recording, std::span<const SonarConfig> sonars, bool replace,
                        const std::filesystem::path& served);
 

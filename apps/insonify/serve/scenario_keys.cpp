@@ -1,4 +1,4 @@
-// scenario_keys.cpp -- lists settings by the lists of fields that configurations give of themselves.
+// scenario_keys.cpp -- lists settings from the configurations' field lists.
 
 #include "serve/scenario_keys.h"
 

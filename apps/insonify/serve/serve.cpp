@@ -1,4 +1,4 @@
-// serve.cpp -- insonify serve: shows a live loop.
+// serve.cpp -- insonify serve: serves a live loop.
 
 #include "serve/serve.h"
 
@@ -19,7 +19,7 @@ using Clock = std::chrono::steady_clock;
 std::unique_ptr<LiveLoop> loop_of(const ServeOptions& options) {
   const std::string ending = options.scenario.extension().string();
   if (ending == ".h5" || ending == ".hdf5" || ending == ".mcap") {
-    throw InputError(fmt::format("{0}: is a recording, no scenario; insonify replay {0} --view shows it",
+    throw InputError(fmt::format("{0}: is a recording, not a scenario; insonify replay {0} --view shows it",
                                  options.scenario.string()));
   }
   return checked_input([&] {
@@ -33,7 +33,7 @@ std::unique_ptr<LiveLoop> loop_of(const ServeOptions& options) {
   });
 }
 
-// Waits for the loop to begin to record.
+// Waits until the loop records.
 void record_from_start(const ServeOptions& options, LiveLoop& loop) {
   if (options.recording.empty()) {
     return;
@@ -47,7 +47,7 @@ void record_from_start(const ServeOptions& options, LiveLoop& loop) {
   }
 }
 
-// The live loop as a server shows it.
+// A live loop as the source of a server.
 class Simulation : public PingSource {
  public:
   explicit Simulation(LiveLoop& loop) : loop_(loop) {}

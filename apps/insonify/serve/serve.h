@@ -1,4 +1,4 @@
-// serve.h -- insonify serve: makes pings while browsers and other programs watch.
+// serve.h -- insonify serve: makes pings live for browsers and other programs.
 
 #pragma once
 
@@ -13,10 +13,10 @@ namespace insonify {
 struct ServeOptions {
   std::filesystem::path scenario;
   PageServerOptions server;
-  std::filesystem::path recording;    ///< Recorded from the start; empty: not.
-  bool force = false;                 ///< Whether its files may replace others.
-  std::string levels;                 ///< MessageOptions::low_db and high_db, "-90:-40"; "" for none.
-  double rate = 0;                    ///< Most pings a second of each sonar; 0: no limit.
+  std::filesystem::path recording;    ///< Recorded from the start; empty: none.
+  bool force = false;                 ///< Whether its files may replace existing ones.
+  std::string levels;                 ///< MessageOptions::low_db and high_db, "-90:-40"; "": default.
+  double rate = 0;                    ///< Limit of pings per second of each sonar; 0: no limit.
   int threads = 0;                    ///< 0: one per processor.
   std::vector<std::string> settings;  ///< "key=value", in order.
   bool paused = false;

@@ -15,7 +15,7 @@ namespace {
 constexpr double kDepth = 50;                 // From the darkest to the brightest level [dB].
 constexpr std::size_t kMostKept = 4'000'000;  // Intensities.
 
-// Pings from one end of the scanned sector to the other.
+// Number of pings from one end of the scanned sector to the other.
 std::size_t pings_of_turn(const SonarConfig& sonar) {
   if (sonar.type != SonarType::kMechanicallyScanned || sonar.step == 0) {
     return 1;
@@ -41,7 +41,7 @@ bool ShownScale::add(const LivePing& live) {
   intensities_.insert(intensities_.end(), to_fit.begin(), to_fit.end());
   ++pings_;
   complete_ = pings_ >= pings_of_turn(sonar) || intensities_.size() > kMostKept;
-  // The whole is fitted at the 1st, 2nd, 4th, 8th ... ping, at the end, and where an echo is far louder than all
+  // Refits at the 1st, 2nd, 4th, 8th ... ping, at the end, and when an echo is far louder than all
   // before.
   const double alone = fitting_full_scale(to_fit);
   if (!complete_ && !std::has_single_bit(pings_) && alone <= full_scale_) {

@@ -1,4 +1,4 @@
-// shown_scale.h -- levels that pictures of a sonar show by default, from its pings.
+// shown_scale.h -- default display levels of a sonar, fitted to its pings.
 
 #pragma once
 
@@ -10,18 +10,18 @@
 
 namespace insonify {
 
-/// Darkest and brightest level of a picture [dB], with kShownGainPerDecade where shown_gain() says so.
+/// Darkest and brightest level of a picture [dB], after shown_gain().
 using ShownLevels = std::pair<double, double>;
 
-/// Gain over range with which pings of a sonar are shown [dB/decade].
+/// Gain over range in the display of a sonar's pings [dB/decade].
 [[nodiscard]] double shown_gain(const LiveWorld& world, int sonar);
 
-/// Fits levels as `insonify draw` does: to the first ping of a forward-looking sonar, and to all pings of a scanning
-/// head's first turn, of which one alone may hold noise only.
+/// Fits levels as `insonify draw` does: to the first ping of a forward-looking sonar, or to all pings of a scanning
+/// head's first turn, since a single one may hold only noise.
 class ShownScale {
  public:
-  /// Takes in a ping of the sonar.
-  /// @return  Whether levels() are others than before.
+  /// Adds a ping of the sonar.
+  /// @return  Whether levels() changed.
   bool add(const LivePing& live);
 
   /// Absent before the first ping.

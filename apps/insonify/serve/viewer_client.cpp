@@ -1,4 +1,4 @@
-// viewer_client.cpp -- carries out the requests of a page, and sends it what it watches.
+// viewer_client.cpp -- handles the requests of a page, and sends it the pings that it watches.
 
 #include "serve/viewer_client.h"
 
@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-// Settings that can name files: a client must not have the server read what lies on its disk.
+// Settings that can name files: clients must not make the server read files on its disk.
 void refuse_files(const std::vector<std::string>& settings) {
   for (const std::string& setting : settings) {
     std::string_view key = setting;
@@ -49,23 +49,23 @@ class ViewerClient : public Client, public HubMember, public std::enable_shared_
   void on_text(std::string_view text) override {
     const json message = json::parse(text, nullptr, false);
     if (message.is_discarded() || !message.is_object()) {
-      end("the message is no JSON object");
+      end("the message is not a JSON object");
       return;
     }
     std::string op;
     try {
       op = text_of(message, "op");
       carry_out(op, message);
-      hub_.tell_state_soon();
+      hub_.send_state_soon();
     } catch (const FormError& error) {
       end(op.empty() ? error.what() : fmt::format("{}: {}", printable(op), error.what()));
     } catch (const Error& error) {
-      tell(error_text(error.what(), op));
+      send(error_text(error.what(), op));
     }
   }
 
   void on_world() override {
-    tell(hub_.hello());
+    send(hub_.hello());
     if (hub_.scene() != scene_) {
       scene_ = hub_.scene();
       connection_.send({.bytes = scene_, .binary = true});
@@ -80,12 +80,12 @@ class ViewerClient : public Client, public HubMember, public std::enable_shared_
 
   void on_state() override {
     if (hub_.ready()) {
-      tell(state_text(hub_.source().state(), hub_.counts(), watched_name(), connection_.dropped()));
+      send(state_text(hub_.source().state(), hub_.counts(), watched_name(), connection_.dropped()));
     }
   }
 
-  void on_note(const std::string& text) override { tell(note_text(text)); }
-  void on_levels(const Bytes& text) override { tell(text); }
+  void on_note(const std::string& text) override { send(note_text(text)); }
+  void on_levels(const Bytes& text) override { send(text); }
 
   void on_ping(SharedPing& shared) override {
     const LivePing& ping = shared.ping();
@@ -101,16 +101,16 @@ class ViewerClient : public Client, public HubMember, public std::enable_shared_
   [[nodiscard]] bool flies() const override { return flies_; }
 
  private:
-  void tell(std::string text) { tell(std::make_shared<const std::string>(std::move(text))); }
-  void tell(const Bytes& bytes) { connection_.send({.bytes = bytes}); }
+  void send(std::string text) { send(std::make_shared<const std::string>(std::move(text))); }
+  void send(const Bytes& bytes) { connection_.send({.bytes = bytes}); }
 
   void end(const std::string& reason) {
-    tell(closing_text(reason));
+    send(closing_text(reason));
     constexpr std::uint16_t kPolicyError = 1008;
     connection_.close(kPolicyError, reason);
   }
 
-  // The sonar it chose; the first, where that is gone.
+  // The chosen sonar, or the first if that no longer exists.
   [[nodiscard]] std::string watched_name() const {
     for (const SonarConfig& sonar : hub_.world().sonars) {
       if (sonar.name == watched_) {
@@ -126,14 +126,14 @@ class ViewerClient : public Client, public HubMember, public std::enable_shared_
     return static_cast<int>(std::ranges::find(sonars, watched_name(), &SonarConfig::name) - sonars.begin());
   }
 
-  // Answers a request once it is done, if this client is still there then.
+  // Answers a request when it is done, if this client still exists.
   [[nodiscard]] LiveLoop::Done answer(const std::string& op) {
     return [&hub = hub_, weak = weak_from_this(), op](const std::string& error) {
       hub.post([&hub, weak, op, error] {
         if (const auto self = weak.lock(); self && !error.empty()) {
-          self->tell(error_text(error, op));
+          self->send(error_text(error, op));
         }
-        hub.tell_state_soon();
+        hub.send_state_soon();
       });
     };
   }
@@ -229,9 +229,9 @@ class ViewerClient : public Client, public HubMember, public std::enable_shared_
     } else if (op == "record") {
       record(message);
     } else if (op == "save") {
-      tell(saved_text(simulation().saved_scenario()));
+      send(saved_text(simulation().saved_scenario()));
     } else {
-      throw FormError("there is no such op");
+      throw FormError("unknown op");
     }
   }
 
@@ -243,7 +243,7 @@ class ViewerClient : public Client, public HubMember, public std::enable_shared_
   bool flies_ = false;
 };
 
-// Keeps the client known to others by weak pointers only, so that answers which come late find it gone.
+// Others hold weak pointers to the client, so that late answers find it gone.
 class Holder : public Client {
  public:
   Holder(Connection& connection, Hub& hub) : hub_(hub), client_(std::make_shared<ViewerClient>(connection, hub)) {

@@ -21,7 +21,7 @@ static_assert(std::endian::native == std::endian::little, "messages are little-e
 
 constexpr std::uint32_t kPing = 1, kScene = 2, kMoved = 3;
 
-// A 4 x 4 matrix, column by column.
+// A 4 x 4 matrix in column-major order.
 Json matrix_of(const Pose& pose) {
   const Eigen::Matrix3d r = pose.orientation.toRotationMatrix();
   const Vec3& p = pose.position;
@@ -52,7 +52,7 @@ Bytes message(std::uint32_t kind, const Json& header, const std::string& body) {
   return std::make_shared<const std::string>(std::move(bytes));
 }
 
-// Level in hundredths of a decibel above -400 dB; 0 for no echo.
+// Level in hundredths of a decibel above -400 dB; 0: no echo.
 std::uint16_t level_of(float intensity) {
   if (!(intensity > 0)) {
     return 0;
@@ -132,7 +132,7 @@ struct DrawnMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-// Merges the vertices of each cell of a grid and drops triangles that collapse, with finer grids first.
+// Merges the vertices in each cell of a grid and drops degenerate triangles; tries finer grids first.
 DrawnMesh thinned(const Mesh& mesh) {
   Eigen::AlignedBox3f box;
   for (const Vec3f& vertex : mesh.vertices) {
@@ -166,7 +166,7 @@ DrawnMesh thinned(const Mesh& mesh) {
   return drawn;
 }
 
-// Colours that differ, from one object to the next: hues a golden section apart.
+// Distinct colours for consecutive objects: hues a golden section apart.
 Json colour_of(std::size_t index) {
   constexpr double kGolden = 0.618033988749895;
   const double hue = 6 * std::fmod(0.08 + static_cast<double>(index) * kGolden, 1.0);

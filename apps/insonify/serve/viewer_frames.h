@@ -9,7 +9,7 @@
 
 namespace insonify {
 
-/// Tables of a ping that a client asks for, as bits.
+/// Tables of a ping that a client requests, as bits.
 enum PingTable : unsigned {
   kLevelTable = 1,
   kInstanceTable = 2,
@@ -19,22 +19,22 @@ enum PingTable : unsigned {
   kMultipathTable = 32
 };
 
-/// The bit of a table's name; 0 for a name that is none.
+/// The bit of a table's name; 0 for an unknown name.
 [[nodiscard]] unsigned ping_table(std::string_view name);
 
 using Bytes = std::shared_ptr<const std::string>;
 
-/// A ping with those of the tables that it has.
+/// A ping with those of the requested tables that it has.
 [[nodiscard]] Bytes ping_frame(const LivePing& ping, unsigned tables);
 
-/// The objects' meshes. Of a mesh of more than kMostTriangles, vertices are merged on a grid.
+/// The objects' meshes. Meshes with more than kMostTriangles have their vertices merged on a grid.
 [[nodiscard]] Bytes scene_frame(const LiveWorld& world);
 inline constexpr std::size_t kMostTriangles = 200'000;
 
-/// The objects that move.
+/// Poses of the moving objects.
 [[nodiscard]] Bytes moved_frame(const LivePing& ping);
 
-/// Whether two worlds have the same scene_frame() but for materials' names.
+/// Whether two worlds have the same scene_frame() except for names of materials.
 [[nodiscard]] bool same_scene(const LiveWorld& a, const LiveWorld& b);
 
 }  // namespace insonify

@@ -11,12 +11,12 @@
 
 namespace insonify {
 
-/// @param levels    Those of each sonar.
-/// @param playback  The recording that is shown; null for a simulation.
+/// @param levels    Of each sonar.
+/// @param playback  The recording; null for a simulation.
 [[nodiscard]] std::string hello_text(const LiveWorld& world, const std::vector<ShownLevels>& levels,
                                      const Playback* playback);
 
-/// What the server measures.
+/// Rates measured by the server.
 struct ServerCounts {
   double pings_per_second = 0, ms_per_ping = 0;
   std::uint64_t clients = 0;

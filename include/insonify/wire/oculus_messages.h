@@ -18,7 +18,7 @@ inline constexpr std::uint16_t kOculusFire = 0x15, kOculusPing = 0x23, kOculusUs
 /// Bytes of a header: 0x4f53, source, destination, id, version (u16 each), payload size (u32), reserved (u16).
 inline constexpr std::size_t kOculusHeaderSize = 16;
 
-/// The longest payload that an OculusParser takes [bytes]. A sonar receives at most 73.
+/// The longest payload that an OculusParser accepts [bytes]. A sonar receives at most 73.
 inline constexpr std::size_t kLongestOculusPayload = 1024;
 
 struct OculusMessage {
@@ -32,7 +32,7 @@ struct OculusMessage {
 
 [[nodiscard]] std::vector<std::uint8_t> encode(const OculusMessage& message);
 
-/// Finds messages in a stream of bytes. What is no header, or announces too long a payload, is skipped byte by byte.
+/// Finds messages in a stream of bytes. Skips, byte by byte, what is not a header or announces too long a payload.
 class OculusParser {
  public:
   /// Adds bytes as they arrive, in any pieces.
@@ -90,7 +90,7 @@ struct OculusFire {
   [[nodiscard]] bool operator==(const OculusFire&) const = default;
 };
 
-/// Decodes a simple fire message. The payload's size tells the layout.
+/// Decodes a simple fire message. The layout follows from the payload's size.
 /// @throws Error "range = nan must be greater than 0" for a value out of limits, for a wrong size, and where it does
 ///         not ask for a simple return: the format of the full one is not public.
 [[nodiscard]] OculusFire decode_fire(const OculusMessage& message);

@@ -1,4 +1,4 @@
-// oculus_sonar.h -- the simulated sonar that an Oculus's settings stand for, and its pings as images.
+// oculus_sonar.h -- the simulated sonar for an Oculus's settings, and its pings as images.
 
 #pragma once
 
@@ -18,7 +18,7 @@ namespace insonify {
 /// instrument's gains are not published.
 inline constexpr double kOculusGainSpan = 10;
 
-/// A gain word of a row stands for a power gain of 1 / kOculusGainUnit.
+/// Gain words are power gains in units of 1 / kOculusGainUnit.
 inline constexpr double kOculusGainUnit = 50;
 
 /// Gain assist brings the brightest kOculusAssistShare of the pixels to half of the full amplitude, by at most
@@ -28,14 +28,14 @@ inline constexpr double kOculusAssistShare = 0.005, kOculusAssistSpan = 20;
 /// One of an instrument's frequency modes.
 struct OculusMode {
   SonarConfig sonar;                       ///< Over its longest range.
-  std::optional<Preset> preset = {};       ///< Tells the length of rows.
+  std::optional<Preset> preset = {};       ///< Determines the length of rows.
   std::optional<double> ping_period = {};  ///< Shortest that the scenario allows [s].
 };
 
 struct OculusModes {
   OculusMode low;
   std::optional<OculusMode> high = {};  ///< None: the instrument has one mode.
-  std::uint16_t part_number = 0;        ///< Part number of the model; 0 for one that is no Oculus.
+  std::uint16_t part_number = 0;        ///< Part number of the model; 0: not an Oculus.
 };
 
 /// The modes of a sonar. One that has been made from a preset has the preset's modes "low" and "high", whichever it
@@ -65,9 +65,9 @@ struct OculusPlan {
 [[nodiscard]] std::vector<std::int16_t> oculus_bearings(const SonarConfig& sonar);
 
 /// OculusPing::image. A pixel is amplitude^(gamma/255) of its full scale; full amplitude is levels.high_db after the
-/// gain of its row: gain over range where the receiver applies none, the plan's gain, and gain assist. In the paper's
+/// gain of its row: gain over range if the receiver applies none, the plan's gain, and gain assist. In the paper's
 /// model amplitude is the ping's intensity, whose full scale is 1.
-/// @param ping    Of plan.sonar; null where that is none.
+/// @param ping    Of plan.sonar; null if that is absent.
 /// @param levels  SonarMessages::levels().
 /// @param beams   Beams of the image.
 [[nodiscard]] std::vector<std::uint8_t> oculus_image(const OculusPlan& plan, const Ping* ping,

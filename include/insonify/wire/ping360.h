@@ -15,7 +15,7 @@ namespace insonify {
 /// Steps of a turn of the head [gradians].
 inline constexpr int kGradiansPerTurn = 400;
 
-/// What a Ping360 has been told. Initial values are those of the instrument when it is switched on, as far as drivers
+/// Settings of a Ping360. Initial values are those of the instrument when it is switched on, as far as drivers
 /// show them.
 struct Ping360Settings {
   std::uint8_t mode = 1;                   ///< Reserved; sent back as it came.
@@ -47,11 +47,11 @@ struct Ping360Sector {
 /// What follows from a frame.
 struct Ping360Answer {
   std::vector<PingFrame> frames = {};  ///< To be sent at once.
-  bool transmit = false;               ///< A ping is to be made with settings() and told with data().
-  bool scan_changed = false;           ///< A scan has begun, begun anew or ended: see sector().
+  bool transmit = false;               ///< A ping is to be made with settings() and sent with data().
+  bool scan_changed = false;           ///< A scan has started, restarted or ended: see sector().
 };
 
-/// Takes commands and keeps what they set. Wrong values are answered with NACK and change nothing.
+/// Handles commands and stores their settings. Invalid values are answered with NACK and change nothing.
 class Ping360 {
  public:
   /// Answers a whole frame. Frames for another device are not answered.

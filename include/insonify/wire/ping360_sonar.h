@@ -1,4 +1,4 @@
-// ping360_sonar.h -- the simulated sonar that a Ping360's settings stand for, and its pings as samples.
+// ping360_sonar.h -- the simulated sonar for a Ping360's settings, and its pings as samples.
 
 #pragma once
 
@@ -32,9 +32,9 @@ inline constexpr double kPing360GainStep = 6;
 [[nodiscard]] std::optional<SonarConfig> ping360_config(const SonarConfig& sonar, const Scenario& scenario,
                                                         const Ping360Settings& settings, double sound_speed);
 
-/// Samples from 0 to 255, as sonar images in messages have them: with gain over range where the receiver applies none,
+/// Samples from 0 to 255, as in sonar images of messages: with gain over range if the receiver applies none,
 /// 0 at levels.low_db and 255 at levels.high_db; in the paper's model linear in intensity, 255 for 1.
-/// @param ping    Of ping360_config(); null where that is none.
+/// @param ping    Of ping360_config(); null if that is absent.
 /// @param levels  SonarMessages::levels().
 /// @param blank   ping360_blank_samples().
 [[nodiscard]] std::vector<std::uint8_t> ping360_samples(const Ping* ping, const SonarConfig& config,

@@ -23,7 +23,7 @@ struct PingFrame {
   [[nodiscard]] bool operator==(const PingFrame&) const = default;
 };
 
-/// The longest payload that a PingParser takes [bytes]. A sonar receives at most 22; this keeps a damaged length from
+/// The longest payload that a PingParser accepts [bytes]. A sonar receives at most 22; this keeps a damaged length from
 /// swallowing what follows.
 inline constexpr std::size_t kLongestPingPayload = 256;
 
@@ -34,7 +34,7 @@ inline constexpr std::size_t kLongestPingPayload = 256;
 struct PingEvent {
   enum class Kind {
     kFrame,    ///< `frame` is whole.
-    kDamaged,  ///< Only the id of `frame` holds; `reason` says what is wrong.
+    kDamaged,  ///< Only the id of `frame` is valid; `reason` says what is wrong.
     kBreak,    ///< A 'U' outside of frames: what follows a line break, for the baud rate to be found.
   };
   Kind kind = Kind::kFrame;
@@ -42,7 +42,7 @@ struct PingEvent {
   std::string_view reason = {};  ///< "checksum", "payload too long" or "truncated".
 };
 
-/// Finds frames in a stream of bytes, whatever lies between them. After a damaged frame it looks on behind the frame's
+/// Finds frames in a stream of bytes with anything between them. After a damaged frame it continues behind the frame's
 /// first byte, so that no whole frame is lost.
 class PingParser {
  public:

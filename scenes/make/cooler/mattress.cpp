@@ -55,7 +55,7 @@ Shape make_mattress(const Pose& world_from_plan, const Ground& drape) {
     }
   }
 
-  // Ropes through the blocks, every second row, with a loop for lifting left out at both ends.
+  // Ropes through the blocks, every second row, without the lifting loops at both ends.
   for (int j = 0; j < rows; j += 2) {
     Path rope;
     for (const std::vector<Vec3>& column : waists) {

@@ -1,4 +1,4 @@
-// kit.h -- parts of which models are made: plates, sheets with openings, bars, beams, tubes, turned parts and pebbles.
+// kit.h -- building blocks of models: plates, sheets with openings, bars, beams, tubes, turned parts and pebbles.
 
 #pragma once
 
@@ -12,7 +12,7 @@ using Vec2 = Eigen::Vector2d;
 /// A surface as a function of two parameters.
 using Surface = std::function<Vec3(double s, double t)>;
 
-/// A rectangle of a surface that is left out: window, door, freeing port, hatch.
+/// A rectangle of a surface that is skipped: window, door, freeing port, hatch.
 struct Opening {
   double s0, s1, t0, t1;
 };

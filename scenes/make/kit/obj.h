@@ -15,7 +15,7 @@ struct Cover {
 };
 
 /// Writes FOLDER/NAME.obj and FOLDER/NAME.mtl in metres, z up, rounded to whole millimetres: equal shapes give equal
-/// bytes. Triangles that have no area once rounded are left out. Each file appears whole or not at all.
+/// bytes. Triangles without area after rounding are dropped. Each file appears complete or not at all.
 /// @throws std::runtime_error when a file cannot be written or a vertex is not finite.
 void write_obj(const std::filesystem::path& folder, const std::string& name, const Shape& shape,
                const Cover* cover = nullptr);

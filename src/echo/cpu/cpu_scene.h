@@ -27,8 +27,8 @@ class CpuScene {
   CpuScene(const CpuScene&) = delete;
   CpuScene& operator=(const CpuScene&) = delete;
 
-  /// Takes in a scene. Instances that stand as in the last scene, at the same index and with the same mesh, are not
-  /// built again where the middle of the scene, from which positions are measured, is the same.
+  /// Builds a scene. Instances with the same index, mesh and pose as in the last scene are not built again if the
+  /// middle of the scene, the origin of stored positions, is the same.
   void set(const Scene& scene);
   void move(int instance, const Pose& world_from_mesh);
 
@@ -59,9 +59,9 @@ class CpuScene {
   /// Surfaces hit by sixteen rays. Normals have any length and may point to either side.
   struct alignas(64) Shading {
     float normal_x[kPacketSize], normal_y[kPacketSize], normal_z[kPacketSize];
-    float reflectivity[kPacketSize];    ///< 0 where nothing was hit.
+    float reflectivity[kPacketSize];    ///< 0: no hit.
     float texture[kPacketSize];         ///< ReliefPoint::reflectivity; `reflectivity` includes it.
-    SurfaceLabel surface[kPacketSize];  ///< kNoSurface where nothing was hit.
+    SurfaceLabel surface[kPacketSize];  ///< kNoSurface: no hit.
 
     [[nodiscard]] Vec3f normal(int lane) const { return {normal_x[lane], normal_y[lane], normal_z[lane]}; }
   };

@@ -41,7 +41,7 @@ struct Echo {
   SurfaceLabel surface = kNoSurface;  ///< The last surface of the path, which labels the echo.
 };
 
-/// An arrival with its own bearing and phase. Order 0 marks what is no echo: another sonar's pulse.
+/// An arrival with its own bearing and phase. Order 0 marks another sonar's pulse, which is not an echo.
 struct DiscreteEcho {
   int beam = 0, bin = 0;
   int order = 1;           ///< Number of surfaces on the path.

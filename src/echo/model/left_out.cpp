@@ -12,7 +12,7 @@
 namespace insonify {
 namespace {
 
-// The values of one instance; null where it has none.
+// The values of one instance; null: none.
 template <typename Value>
 const Value* of(const std::vector<std::vector<Value>>& values, std::uint16_t instance) {
   return instance < values.size() && !values[instance].empty() ? values[instance].data() : nullptr;

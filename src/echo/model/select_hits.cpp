@@ -24,7 +24,7 @@ constexpr float kLeastShare = 1.0F / 16, kMostShare = 0.498F;
 // From one column to the next the start of the sum advances by the golden section, so that neighbours differ most.
 constexpr std::uint32_t kGoldenTurn = 2654435769U;
 
-// The sum starts anew after so many rows, so that the hit of one sample has little influence on the selection far
+// The sum restarts after this many rows, so that the hit of one sample has little influence on the selection far
 // above.
 constexpr int kSelectionRows = 64;
 

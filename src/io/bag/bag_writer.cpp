@@ -105,8 +105,8 @@ void BagWriter::put_bag_header(std::vector<std::byte>& into, std::uint64_t index
 
 void BagWriter::add(std::uint64_t time_ns, std::uint32_t connection, std::span<const std::byte> message) {
   time_ns = std::max<std::uint64_t>(time_ns, 1);
-  for (; told_ < connections_.size(); ++told_) {
-    put_connection(chunk_, static_cast<std::uint32_t>(told_));
+  for (; written_ < connections_.size(); ++written_) {
+    put_connection(chunk_, static_cast<std::uint32_t>(written_));
   }
   first_ns_ = entries_.empty() ? time_ns : std::min(first_ns_, time_ns);
   last_ns_ = entries_.empty() ? time_ns : std::max(last_ns_, time_ns);

@@ -14,17 +14,17 @@
 
 namespace insonify {
 
-/// A file of version 2.0 (wiki.ros.org/Bags/Format/2.0), chunks without compression. It is made beside `path` and goes
-/// there when it is closed; without close() nothing is left.
+/// A file of version 2.0 (wiki.ros.org/Bags/Format/2.0) with uncompressed chunks. It is written beside `path` and
+/// renamed when closed; without close() it is removed.
 class BagWriter {
  public:
-  /// @param path  Is replaced if it is there.
+  /// @param path  An existing file is replaced.
   /// @throws Error with the path when the file cannot be made.
   explicit BagWriter(std::filesystem::path path);
 
-  /// The number of a new connection; of the one that there is where topic and type are the same.
+  /// The number of a new connection, or of the existing one with the same topic and type.
   /// @param md5  Of the definition, 32 hexadecimal digits.
-  /// @throws Error where the topic has another type.
+  /// @throws Error if the topic has another type.
   std::uint32_t add_connection(const std::string& topic, const std::string& type, const std::string& md5,
                                const std::string& definition);
 
@@ -32,7 +32,7 @@ class BagWriter {
   /// @throws Error with the path when the disk is full; as all here.
   void add(std::uint64_t time_ns, std::uint32_t connection, std::span<const std::byte> message);
 
-  /// Writes what is left and the index, has the system put all on the disk and puts the file in its place.
+  /// Writes pending messages and the index, flushes everything to disk and renames the file to `path`.
   void close();
 
  private:
@@ -58,7 +58,7 @@ class BagWriter {
   UnfinishedFile out_;
   std::uint64_t end_ = 0;  // Bytes written.
   std::vector<Connection> connections_;
-  std::size_t told_ = 0;  // Connections in chunks so far.
+  std::size_t written_ = 0;  // Connections in chunks so far.
   std::vector<std::byte> chunk_;
   std::map<std::uint32_t, std::vector<Entry>> entries_;  // Messages of the chunk, by connection.
   std::uint64_t first_ns_ = 0, last_ns_ = 0;             // Times of the chunk's first and last message [ns].

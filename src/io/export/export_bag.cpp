@@ -21,7 +21,7 @@ void export_bag(RecordedSonars recordings, const std::filesystem::path& file, co
     check_stop(options);
     std::vector<std::pair<std::uint32_t, std::vector<std::byte>>> encoded;
     const std::uint64_t time_ns =
-        messages.tell(pings.sonar(), pings.ping(), [&](std::size_t channel, std::vector<std::byte> message) {
+        messages.encode(pings.sonar(), pings.ping(), [&](std::size_t channel, std::vector<std::byte> message) {
           encoded.emplace_back(connections[pings.sonar()][channel], std::move(message));
         });
     for (const auto& [connection, message] : encoded) {
@@ -29,7 +29,7 @@ void export_bag(RecordedSonars recordings, const std::filesystem::path& file, co
     }
   }
   out.close();
-  messages.tell_cuts(file, options.log);
+  messages.warn_of_clipping(file, options.log);
 }
 
 }  // namespace insonify

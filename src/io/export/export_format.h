@@ -13,7 +13,7 @@
 
 namespace insonify {
 
-/// The sonars of an export, whatever files they come from.
+/// The sonars of an export, from any number of files.
 using RecordedSonars = std::span<const std::unique_ptr<RecordedTables>>;
 
 /// Each writes to `place`, a file or a folder that is renamed to `file` afterwards; messages name `file`.
@@ -30,13 +30,13 @@ inline void check_stop(const ExportOptions& options) {
   }
 }
 
-/// What names in the export of several recordings begin with: "fls/"; "" for a single one.
+/// Prefix of names in the export of several recordings: "fls/"; "" for a single one.
 [[nodiscard]] std::string prefix_of(RecordedSonars recordings, std::size_t index);
 
 /// Attributes and settings of a recording, as a JSON object.
 [[nodiscard]] nlohmann::json facts_of(const RecordedTables& recording);
 
-/// A list of texts as NumPy holds them: 32-bit characters, each text as long as the longest.
+/// A list of texts in NumPy's layout: 32-bit characters, each text padded to the longest.
 struct UnicodeTable {
   std::string type;  ///< "<U12"
   std::vector<std::byte> bytes;

@@ -1,4 +1,4 @@
-// export_recordings.cpp -- checks recordings and file, and hands them to the format of the file's ending.
+// export_recordings.cpp -- checks recordings and file, and calls the exporter for the file's extension.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -22,7 +22,7 @@ bool is_video(const std::string& ending) {
   return ending == ".mp4" || ending == ".gif";
 }
 
-// Replacing something that is no export would be a mistake of the user's, not what --force means.
+// Replacing something that is not an export would be a mistake, not what --force means.
 void check_place(const std::filesystem::path& file, const std::string& ending, bool replace) {
   std::error_code ignored;
   const std::filesystem::file_status there = std::filesystem::symlink_status(file, ignored);
@@ -30,7 +30,7 @@ void check_place(const std::filesystem::path& file, const std::string& ending, b
     return;
   }
   if (!replace) {
-    throw Error(fmt::format("{}: cannot create: it is there already", file.string()));
+    throw Error(fmt::format("{}: cannot create: it exists already", file.string()));
   }
   const bool folder = std::filesystem::is_directory(there);
   if (ending == ".zarr" ? !folder || !std::filesystem::exists(file / ".zgroup", ignored) : folder) {
@@ -49,7 +49,7 @@ std::string name_of(const RecordedTables& recording) {
 void check_names(RecordedSonars recordings) {
   std::map<std::string, std::filesystem::path> seen;
   for (const auto& recording : recordings) {
-    // Names become those of folders and of entries in archives.
+    // Names become folders and entries in archives.
     const std::string name = name_of(*recording);
     if (name == "." || name == ".." || name.find_first_of(std::string_view("/\\\0", 3)) != std::string::npos) {
       throw Error(fmt::format("{}: its sonar is called {}, which cannot be the name of a folder",
@@ -63,7 +63,7 @@ void check_names(RecordedSonars recordings) {
   }
 }
 
-// A file tells of one run. Recordings of other programs do not say of which run they are.
+// A file holds one run. Recordings of other programs do not identify their run.
 void check_run(RecordedSonars recordings) {
   const RecordedTables& first = *recordings.front();
   for (const auto& recording : recordings) {
@@ -84,7 +84,7 @@ void check_run(RecordedSonars recordings) {
   }
 }
 
-// What an export needs, checked: its sonars, and its file without a slash at the end.
+// The checked inputs of an export: its sonars, and its file without a trailing slash.
 struct Checked {
   std::filesystem::path file;
   std::string ending;
@@ -94,7 +94,7 @@ struct Checked {
 Checked checked(std::span<const RecordingPart> recordings, const std::filesystem::path& place,
                 const ExportOptions& options) {
   Checked found;
-  // A folder may be named with a slash at its end.
+  // A folder may be named with a trailing slash.
   const bool slash = !place.has_filename() && ending_of(place.parent_path()) == ".zarr";
   found.file = slash ? place.parent_path() : place;
   found.ending = ending_of(found.file);
@@ -103,7 +103,7 @@ Checked checked(std::span<const RecordingPart> recordings, const std::filesystem
                             fmt::join(std::begin(kEndings), std::end(kEndings) - 1, ", "), *std::rbegin(kEndings)));
   }
   if (recordings.empty()) {
-    throw Error(fmt::format("{}: there is no recording to export", found.file.string()));
+    throw Error(fmt::format("{}: there is not a recording to export", found.file.string()));
   }
   check_place(found.file, found.ending, options.replace);
   for (const RecordingPart& recording : recordings) {

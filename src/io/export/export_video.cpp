@@ -15,7 +15,7 @@
 namespace insonify {
 namespace {
 
-constexpr double kMostPictures = 50;  // A second.
+constexpr double kMostPictures = 50;  // Per second.
 
 void check(const VideoOptions& video) {
   if (video.rate && !(*video.rate > 0 && *video.rate <= 120)) {

@@ -1,4 +1,4 @@
-// export_zarr.cpp -- a Zarr group (version 2) of a recording's tables, one chunk a ping.
+// export_zarr.cpp -- a Zarr group (version 2) of a recording's tables, one chunk per ping.
 
 #include <fmt/format.h>
 #include <zlib.h>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kZlibLevel = 1;  // Compression level of zlib, 1..9.
 
-// A new folder beside the one that is to be, removed unless it is put in place.
+// A new folder beside the final one, removed unless it is renamed.
 class UnfinishedFolder {
  public:
   explicit UnfinishedFolder(std::filesystem::path path) : path_(std::move(path)) {
@@ -40,7 +40,7 @@ class UnfinishedFolder {
 
   [[nodiscard]] const std::filesystem::path& place() const { return unfinished_; }
 
-  // An earlier folder is moved aside first, so that there is a whole one at every moment but one.
+  // An existing folder is renamed first, so that a complete one is missing only for a moment.
   void put_in_place() {
     const std::filesystem::path aside = unfinished_.string() + ".earlier";
     std::error_code error;
@@ -125,7 +125,7 @@ std::string chunk_name(std::uint64_t first, std::size_t axes) {
   return name;
 }
 
-// Axes of the tables that recordings hold without them.
+// Axes of tables whose axes recordings do not name.
 std::vector<std::string> axes_of(const RecordedTable& table) {
   static const std::map<std::string, std::string> kKnown = {
       {"azimuth", "beam"}, {"azimuth_edges", "beam_edge"}, {"range", "bin"}};

@@ -1,5 +1,5 @@
-// ffmpeg.cpp -- starts the program without a shell, and hands it pictures through a socket: writing to one whose other
-// end is closed can be told not to raise SIGPIPE.
+// ffmpeg.cpp -- starts the program without a shell and sends it pictures through a socket, since writes to a closed
+// socket, unlike a pipe, need not raise SIGPIPE.
 
 #include "io/export/ffmpeg.h"
 
@@ -29,7 +29,7 @@
 namespace insonify {
 namespace {
 
-// H.264 in the form that every player knows, which needs even sizes; GIF with the best 256 colours of each picture.
+// H.264 in a form that every player supports, which needs even sizes; GIF with the best 256 colours of each picture.
 std::vector<std::string> coding(bool gif) {
   if (gif) {
     return {"-vf", "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1:dither=none", "-f", "gif"};
@@ -91,7 +91,7 @@ Ffmpeg::Ffmpeg(std::filesystem::path name, const std::filesystem::path& place, i
   for (std::string& word : coding(ending_of(name_) == ".gif")) {
     words.push_back(std::move(word));
   }
-  words.push_back("file:" + std::filesystem::absolute(place).string());  // Never taken for an option or an address.
+  words.push_back("file:" + std::filesystem::absolute(place).string());  // Cannot be read as an option or an address.
   std::vector<char*> arguments;
   arguments.reserve(words.size() + 1);
   for (std::string& word : words) {
@@ -144,7 +144,7 @@ int Ffmpeg::wait() {
 
 namespace {
 
-// The reason why a file does not grow, where the program's words have it.
+// The reason why a file does not grow, if the program's output has it.
 std::optional<std::string> full_disk_in(std::string_view text) {
   for (const int error : {ENOSPC, EDQUOT, EFBIG}) {
     const std::string reason = std::generic_category().message(error);
@@ -157,7 +157,7 @@ std::optional<std::string> full_disk_in(std::string_view text) {
 
 }  // namespace
 
-// Its last words, which mostly name the reason.
+// The end of its output, which usually names the reason.
 void Ffmpeg::fail() {
   std::array<char, 4096> buffer{};
   const off_t size = lseek(words_, 0, SEEK_END);
@@ -197,8 +197,8 @@ void Ffmpeg::finish() {
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
     fail();
   }
-  if (!is_whole_video(
-          place_, ending_of(name_) == ".gif")) {  // Where the disk is full, ffmpeg may end as if nothing were wrong.
+  // With a full disk, ffmpeg may report success for part of a video.
+  if (!is_whole_video(place_, ending_of(name_) == ".gif")) {
     throw Error(fmt::format("{}: cannot write: ffmpeg has left half a video; the disk may be full", name_.string()));
   }
 }

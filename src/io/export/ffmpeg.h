@@ -13,21 +13,21 @@ namespace insonify {
 class Ffmpeg {
  public:
   /// Starts it.
-  /// @param name   Of the video in messages; its ending says the format.
-  /// @param place  Where the video is written; a file that is there already.
-  /// @param rate   Pictures a second.
-  /// @throws Error where ffmpeg is not installed.
+  /// @param name   Name of the video in messages; its extension is the format.
+  /// @param place  Output file, which must exist.
+  /// @param rate   Frames per second.
+  /// @throws Error if ffmpeg is not installed.
   Ffmpeg(std::filesystem::path name, const std::filesystem::path& place, int width, int height, double rate);
-  /// Ends it where finish() was not called.
+  /// Ends it if finish() was not called.
   ~Ffmpeg();
   Ffmpeg(const Ffmpeg&) = delete;
   Ffmpeg& operator=(const Ffmpeg&) = delete;
 
-  /// @throws Error with what ffmpeg says where it has failed; for a picture of another size.
+  /// @throws Error with ffmpeg's output if it has failed; for a picture of another size.
   void add(const Picture& picture);
 
   /// Waits until the video is written.
-  /// @throws Error where it has failed, or the file is no whole video.
+  /// @throws Error if it has failed, or if the video is incomplete.
   void finish();
 
  private:
@@ -37,7 +37,7 @@ class Ffmpeg {
   std::filesystem::path name_, place_;
   int width_, height_;
   int pictures_ = -1;  // Socket to its standard input.
-  int words_ = -1;     // A file in memory: its standard error.
+  int words_ = -1;     // Its standard error, a file in memory.
   pid_t child_ = -1;
 };
 

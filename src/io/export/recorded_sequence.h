@@ -1,4 +1,4 @@
-// recorded_sequence.h -- the pings of several recordings, in the order of their times.
+// recorded_sequence.h -- the pings of several recordings, in order of time.
 
 #pragma once
 
@@ -16,9 +16,9 @@ class RecordedSequence {
   explicit RecordedSequence(RecordedSonars recordings);
 
   [[nodiscard]] bool done() const;
-  /// The earliest of the pings that are left; of those of the same time that of the first recording.
+  /// The earliest remaining ping; of simultaneous ones, that of the first recording.
   [[nodiscard]] std::size_t sonar() const { return next_; }
-  /// With the elevations of the ground truth where there are any.
+  /// With the elevations of the ground truth, if any.
   [[nodiscard]] const Ping& ping() const { return sources_[next_].ping; }
   void advance();
 
@@ -26,7 +26,7 @@ class RecordedSequence {
   struct Source {
     const RecordedTables* recording;
     RecordedPings pings;
-    const RecordedTable* elevation;  // Null where there is none.
+    const RecordedTable* elevation;  // Null: none.
     std::uint64_t next = 0;
     bool done = false;
     Ping ping = {};

@@ -17,7 +17,7 @@ namespace insonify {
 [[nodiscard]] MessageSource message_source(const RecordedTables& recording);
 [[nodiscard]] std::vector<MessageSource> message_sources(RecordedSonars recordings);
 
-/// The options with the start that the recordings have, unless they say another.
+/// The options, with the recordings' start unless they have their own.
 [[nodiscard]] MessageOptions with_start(MessageOptions options, RecordedSonars recordings);
 
 }  // namespace insonify

@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint16_t kZipVersion = 45;  // That zip64 needs.
 constexpr std::uint16_t kStored = 0, kDeflated = 8;
 constexpr std::uint16_t kUtf8 = 1U << 11U;      // Flag: names are UTF-8.
-constexpr std::uint16_t kDay = (1U << 5U) | 1;  // 1 January 1980: the same bytes whenever they are made.
+constexpr std::uint16_t kDay = (1U << 5U) | 1;  // 1 January 1980: the same bytes at any date.
 constexpr std::uint16_t kInZip64 = 0xffff;
 constexpr std::uint32_t kInZip64Size = 0xffffffff;
 constexpr int kDeflateLevel = 1;  // Compression level of deflate, 1..9: higher ones gain little.

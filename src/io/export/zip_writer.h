@@ -22,12 +22,12 @@ class ZipWriter {
   ZipWriter(const ZipWriter&) = delete;
   ZipWriter& operator=(const ZipWriter&) = delete;
 
-  /// Each entry is begun, gets its bytes in parts, and is ended. All throw Error when the disk is full.
+  /// Begin an entry, write its bytes in parts, and end it. All throw Error if the disk is full.
   void begin(const std::string& name);
   void add(std::span<const std::byte> bytes);
   void end();
 
-  /// Writes the archive's directory and has the system put everything on the disk.
+  /// Writes the archive's directory and flushes everything to disk.
   void finish();
 
  private:

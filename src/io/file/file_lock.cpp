@@ -11,7 +11,7 @@
 namespace insonify {
 namespace {
 
-// The first byte is locked where the file itself is written, the rest also where another is to take its place.
+// The first byte is locked while the file itself is written, the rest also while a replacement is written.
 struct Range {
   off_t start, length;  // Length 0: to the end, however long the file grows.
 };

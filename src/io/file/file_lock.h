@@ -6,18 +6,18 @@
 
 namespace insonify {
 
-/// Marks an open file as being written, until it is closed. Programs that only read it are not kept out. Where the file
-/// system knows no locks nothing is marked.
+/// Marks an open file as being written, until it is closed. Does not block readers. No effect if the file system has no
+/// locks.
 void mark_as_being_written(int file);
 
-/// Whether somebody else has the file marked as being written, or by a WriteMark. It need not exist.
+/// Whether another process or a WriteMark has marked the file as being written. It need not exist.
 [[nodiscard]] bool is_being_written(const std::filesystem::path& path);
 
-/// Whether somebody else writes the file itself: as is_being_written(), but for a WriteMark.
+/// Whether another process writes the file itself: as is_being_written(), but ignoring WriteMarks.
 [[nodiscard]] bool is_growing(const std::filesystem::path& path);
 
-/// Keeps a file that is to be replaced by another one marked, without writing to it. A file that may not be written to,
-/// or where the file system knows no locks, is not marked.
+/// Marks a file that is to be replaced by another one, without writing to it. No effect on read-only files, or if the
+/// file system has no locks.
 class WriteMark {
  public:
   explicit WriteMark(const std::filesystem::path& path);
@@ -29,7 +29,7 @@ class WriteMark {
   int file_;
 };
 
-/// Whether the open file can still be found: that it was not removed, replaced or moved from its path.
+/// Whether the open file is still at its path: not removed, replaced or moved.
 [[nodiscard]] bool is_still_there(int file, const std::filesystem::path& path);
 
 }  // namespace insonify

@@ -29,9 +29,9 @@ std::string system_reason(const std::string& description) {
   return description.substr(first, description.find('\'', first) - first);
 }
 
-// HDF5 1.10 keeps a file open where it is damaged in some ways. It would complain about that on standard error when the
-// program ends, unless it is told to print nothing. Functions of std::atexit run before those registered earlier, which
-// HDF5's is, since it has been called.
+// HDF5 1.10 keeps some damaged files open and complains about that on standard error at exit, unless its printing
+// is disabled. std::atexit functions run in reverse order, so this one runs before HDF5's, which is registered
+// already.
 void end_quietly() {
   static const int kOnce = std::atexit([] { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); });
   static_cast<void>(kOnce);
@@ -61,7 +61,7 @@ H5Handle h5_open_to_read(const std::filesystem::path& path) {
 }
 
 H5Handle h5_open_recording(const std::filesystem::path& path) {
-  // The signature may stand after a block of the user's: at 512 bytes, 1024, 2048 ...
+  // The signature may follow a user block: at 512 bytes, 1024, 2048 ...
   constexpr std::string_view kSignature("\x89HDF\r\n\x1a\n", 8);
   std::ifstream in(path, std::ios::binary);
   std::string found(kSignature.size(), '\0');
@@ -73,7 +73,7 @@ H5Handle h5_open_recording(const std::filesystem::path& path) {
   }
   if (in.is_open() && found != kSignature) {
     throw Error(
-        fmt::format("{}: is no recording: it is {}", path.string(),
+        fmt::format("{}: is not a recording: it is {}", path.string(),
                     is_bag ? "a bag of ROS, which insonify writes and does not read" : "neither HDF5 nor MCAP"));
   }
   return h5_open_to_read(path);

@@ -70,8 +70,8 @@ class H5Quiet {
 /// there is one ("No space left on device").
 [[nodiscard]] std::string h5_failure();
 
-/// Passes on what an HDF5 function returned.
-/// @throws Error "PATH: cannot DOING: REASON" when it is negative.
+/// Returns the result of an HDF5 function.
+/// @throws Error "PATH: cannot DOING: REASON" if it is negative.
 template <typename Result>
 Result h5_check(Result result, const std::filesystem::path& path, std::string_view doing) {
   if (result < 0) {
@@ -91,8 +91,8 @@ Result h5_check(Result result, const std::filesystem::path& path, std::string_vi
 /// @throws Error "PATH: cannot open it as HDF5: REASON"
 [[nodiscard]] H5Handle h5_open_to_read(const std::filesystem::path& path);
 
-/// The same of a recording.
-/// @throws Error "PATH: is no recording: it is neither HDF5 nor MCAP" too.
+/// The same for a recording.
+/// @throws Error "PATH: is not a recording: it is neither HDF5 nor MCAP" too.
 [[nodiscard]] H5Handle h5_open_recording(const std::filesystem::path& path);
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// hdf5_bytes.h -- reads an HDF5 file's own bytes, to check what HDF5 does not.
+// hdf5_bytes.h -- reads the bytes of an HDF5 file, for checks that HDF5 does not make.
 
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace insonify {
 
-/// A number at a place; 0 where it would leave the bytes.
+/// A number at an offset; 0 if it is out of bounds.
 template <typename Number>
 [[nodiscard]] Number number_at(std::span<const char> bytes, std::uint64_t place) {
   Number value{};
@@ -30,7 +30,7 @@ struct Hdf5Message {
   static constexpr std::uint16_t kDatatype = 0x0003, kAttribute = 0x000c, kContinuation = 0x0010;
 
   std::uint16_t type = 0;
-  bool shared = false;  ///< Whether its content only points to what it tells.
+  bool shared = false;  ///< Whether its content is only a pointer.
   std::span<const char> content;
 };
 
@@ -48,10 +48,10 @@ class Hdf5Bytes {
   /// @throws Error "PATH: NAME is damaged: REASON"
   [[noreturn]] void fail(const std::string& reason) const;
 
-  /// @throws Error by fail() where they are not in the file.
+  /// @throws Error by fail() if they are not in the file.
   std::vector<char> read(std::uint64_t place, std::uint64_t count);
 
-  /// Visits the messages of an object's header but its continuations, which it follows.
+  /// Visits the messages of an object's header; follows its continuations without visiting them.
   /// @param address  Of the header, counted from base().
   /// @return         Whether there is a version 1 header; others are not visited.
   bool each_message(std::uint64_t address, const std::function<void(const Hdf5Message&)>& visit);
@@ -68,7 +68,7 @@ class Hdf5Bytes {
 struct Hdf5Attribute {
   std::string name;
   std::span<const char> type, data;
-  bool shared = false;  ///< Whether its type or its shape only point to what they tell.
+  bool shared = false;  ///< Whether its type or its shape is only a pointer.
 };
 
 /// @throws Error by bytes.fail() for parts that leave the message.

@@ -55,7 +55,7 @@ class HeapCheck : public Hdf5Bytes {
     const std::vector<char> start = read(base() + address, kHeader);
     const auto size = number_at<std::uint64_t>(start, 8);
     if (std::memcmp(start.data(), "GCOL\1", 5) != 0 || size < kHeader || size > kLargestHeap) {
-      fail("there is no heap of texts where it points");
+      fail("it points to no heap of texts");
     }
     const std::vector<char> bytes = read(base() + address, size);
     std::map<std::uint16_t, std::uint64_t> objects;

@@ -1,4 +1,4 @@
-// hdf5_heap.h -- checks what HDF5 does not before it reads texts of variable length.
+// hdf5_heap.h -- checks variable-length texts, which HDF5 does not, before it reads them.
 
 #pragma once
 
@@ -10,9 +10,9 @@
 
 namespace insonify {
 
-/// Texts of variable length lie in global heaps (HDF5 File Format Specification 3.0, III.E); a dataset or an attribute
-/// holds their lengths, addresses and numbers. HDF5 1.10 follows these without checking them, beyond the ends of its
-/// memory where a file is damaged. These functions check them by reading the file's own bytes.
+/// Texts of variable length are stored in global heaps (HDF5 File Format Specification 3.0, III.E); a dataset or an
+/// attribute holds their lengths, addresses and numbers. HDF5 1.10 follows these unchecked, in damaged files beyond the
+/// ends of its memory. These functions check them by reading the file's own bytes.
 ///
 /// check_heap_texts() checks a contiguous dataset, which is what a recording has; other layouts pass unchecked.
 /// checked_attributes() checks all attributes of a group or dataset with a version 1 object header, which is what a

@@ -1,4 +1,4 @@
-// hdf5_type.h -- checks descriptions of datatypes, which HDF5 believes, before it reads them.
+// hdf5_type.h -- checks datatype messages, which HDF5 trusts, before it reads them.
 
 #pragma once
 
@@ -11,9 +11,9 @@
 
 namespace insonify {
 
-/// What is wrong with a datatype message (HDF5 File Format Specification 3.0, IV.A.2.d): a name or a member that
-/// leaves the message, or sizes that do not fit each other. HDF5 1.10 checks neither, and reads and writes beyond its
-/// memory. "" where nothing is.
+/// The fault of a datatype message (HDF5 File Format Specification 3.0, IV.A.2.d), or "": a name or a member beyond the
+/// message's end, or sizes that contradict each other. HDF5 1.10 checks neither, and reads and writes beyond its
+/// memory.
 [[nodiscard]] std::string datatype_fault(std::span<const char> message);
 
 /// Checks the datatypes of an object and of its attributes, as its header has them, without opening it. Objects with a

@@ -35,7 +35,7 @@ std::string read_all(const std::filesystem::path& path) {
   while (file.read(part.data(), part.size()) || file.gcount() > 0) {
     text.append(part.data(), static_cast<std::size_t>(file.gcount()));
     if (text.size() > kLongestStream && is_stream(path)) {
-      throw Error(path.string() + ": is no file and does not end");
+      throw Error(path.string() + ": is not a regular file and does not end");
     }
   }
   if (!file.eof()) {
@@ -70,7 +70,7 @@ void check_input_file(const std::filesystem::path& path) {
     throw Error(path.string() + ": is a folder, not a file");
   }
   if (std::filesystem::is_fifo(status) && !is_open_already(path.string())) {
-    throw Error(path.string() + ": is a named pipe, not a file");  // Which might never have a writer.
+    throw Error(path.string() + ": is a named pipe, not a file");  // It may never have a writer.
   }
   errno = 0;
   std::ifstream file(path, std::ios::binary);

@@ -1,4 +1,4 @@
-// input_file.h -- checks that every reader makes before it opens a file.
+// input_file.h -- checks common to all readers of files.
 
 #pragma once
 
@@ -25,7 +25,7 @@ void check_input_file(const std::filesystem::path& path);
 /// The same, also from a named pipe, for which it waits.
 [[nodiscard]] std::string read_text_or_pipe(const std::filesystem::path& path);
 
-/// The path's ending in lower case, with its dot.
+/// The path's extension in lower case, with its dot.
 [[nodiscard]] std::string ending_of(const std::filesystem::path& path);
 
 /// The reason that a library gives for a failure, made fit for the end of a message: printable, at most 500 bytes,

@@ -94,10 +94,10 @@ void MissingParts::report(const std::string& file, bool strict, const Log& log) 
     count += reason.parts.size();
   }
   log_line(log, Severity::kWarning,
-           fmt::format("{}: {} part{} of the world {} left out (an error with strict: true): {}", file, count,
+           fmt::format("{}: {} part{} of the world {} skipped (an error with strict: true): {}", file, count,
                        count == 1 ? "" : "s", count == 1 ? "is" : "are", text()));
   for (const std::string& command : commands()) {
-    log_line(log, Severity::kWarning, fmt::format("{}: to fetch what is missing from Fuel: {}", file, command));
+    log_line(log, Severity::kWarning, fmt::format("{}: to download missing Fuel models: {}", file, command));
   }
 }
 

@@ -1,4 +1,4 @@
-// name_patterns.h -- patterns of the names of what to leave out of a world.
+// name_patterns.h -- name patterns of the objects of a world to ignore.
 
 #pragma once
 
@@ -9,20 +9,20 @@
 
 namespace insonify {
 
-/// Patterns as of file names in a shell: `*` any text, `?` one character, `[ab]` one of these.
+/// Patterns as for file names in a shell: `*` any text, `?` one character, `[ab]` one of these.
 class NamePatterns {
  public:
   explicit NamePatterns(std::vector<std::string> patterns)
       : patterns_(std::move(patterns)), used_(patterns_.size(), false) {}
 
-  /// Whether a pattern stands for a scoped name, "ship::hull::plate", or for its last part.
+  /// Whether a pattern matches a scoped name, "ship::hull::plate", or its last part.
   [[nodiscard]] bool match(const std::string& name);
 
   /// Whether any name has matched.
   [[nodiscard]] bool any() const;
 
   /// Warns of each pattern that no name has matched.
-  /// @param file  The world, as messages name it.
+  /// @param file  Name of the world in messages.
   void report_unused(const std::string& file, const Log& log) const;
 
  private:

@@ -1,4 +1,4 @@
-// ping_reader.h -- the pings of one sonar in a recording, whatever the format of its file.
+// ping_reader.h -- the pings of one sonar in a recording of any format.
 
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace insonify {
 
-/// What RecordedPings asks of a file; the functions are documented there.
+/// The interface of a file format to RecordedPings, which documents the functions.
 class PingReader {
  public:
   PingReader() = default;

@@ -1,4 +1,4 @@
-// recorded_tables.h -- everything that the recording of one sonar holds, by name, whatever the format of its file.
+// recorded_tables.h -- all contents of one sonar's recording by name, independent of its format.
 
 #pragma once
 
@@ -21,7 +21,7 @@ struct RecordedTable {
   std::string name;
   std::string type;                ///< Type of a value, as NumPy spells it: "<f4", "<c8", "<u2", "|u1", "<f8".
   std::size_t value_bytes = 0;     ///< [bytes]
-  std::vector<std::uint64_t> row;  ///< Shape of a ping's row; of a table without pings, its whole shape.
+  std::vector<std::uint64_t> row;  ///< Shape of one ping's row, or of the whole table if it has no pings.
   bool by_ping = false;            ///< Whether it has a row for each ping.
   std::vector<std::string> axes;   ///< Names of all axes; may be empty.
   nlohmann::json notes;            ///< `units`, `description`, `none`.
@@ -37,7 +37,7 @@ struct RecordedNames {
   std::vector<std::string> texts;
 };
 
-/// The tables of one sonar, read when they are asked for.
+/// The tables of one sonar, read on demand.
 class RecordedTables {
  public:
   explicit RecordedTables(std::filesystem::path path) : path_(std::move(path)) {}
@@ -49,29 +49,29 @@ class RecordedTables {
   [[nodiscard]] const std::vector<RecordedTable>& tables() const { return tables_; }
   [[nodiscard]] const std::vector<RecordedNames>& names() const { return names_; }
 
-  /// Pings that all tables have.
+  /// Number of pings in all tables.
   [[nodiscard]] std::uint64_t ping_count() const { return ping_count_; }
 
   /// Facts about the run and its sonar: an object of texts and numbers.
   [[nodiscard]] const nlohmann::json& attributes() const { return attributes_; }
 
-  /// An attribute that is a text; "" where it is missing.
+  /// A text attribute; "" if it is missing.
   [[nodiscard]] std::string text(const std::string& attribute) const {
     const auto found = attributes_.find(attribute);
     return found != attributes_.end() && found->is_string() ? found->get<std::string>() : "";
   }
 
-  /// The settings of the run, as nested objects; {} where there are none.
+  /// The settings of the run, as nested objects; {} if there are none.
   [[nodiscard]] virtual nlohmann::json settings() const = 0;
 
-  /// One row of a table by ping, or a whole other table, little-endian.
-  /// @param ping  Below ping_count(); of other tables 0.
+  /// One row of a table by ping, or a whole table without pings, little-endian.
+  /// @param ping  Below ping_count(); 0 for tables without pings.
   [[nodiscard]] virtual std::vector<std::byte> row(const RecordedTable& table, std::uint64_t ping) const = 0;
 
   /// Reads a block of a table, row-major.
-  /// @param type    Type of the numbers read; of complex ones kFloat32, with the parts as the last axis.
+  /// @param type    Type to convert to; for complex numbers kFloat32, with the parts as the last axis.
   /// @param slices  One for each axis, inside the table.
-  /// @param bytes   Is filled: product of the counts times size_of(type).
+  /// @param bytes   Receives the values: product of the counts times size_of(type).
   virtual void read(const RecordedTable& table, NumberType type, std::span<const TableSlice> slices,
                     std::span<std::byte> bytes) const = 0;
 

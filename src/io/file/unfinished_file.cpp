@@ -19,7 +19,7 @@ UnfinishedFile::UnfinishedFile(std::filesystem::path path, std::string doing)
     : path_(std::move(path)), doing_(std::move(doing)) {
   std::error_code ignored;
   if (std::filesystem::exists(path_, ignored) && !std::filesystem::is_regular_file(path_, ignored)) {
-    fail("it is there and is no regular file");
+    fail("it exists and is not a regular file");
   }
   constexpr int kMostTries = 100;
   std::random_device random;

@@ -1,4 +1,4 @@
-// unfinished_file.h -- files that are written under a name of their own and renamed once they are whole.
+// unfinished_file.h -- files that are written under a temporary name and renamed once they are complete.
 
 #pragma once
 
@@ -7,9 +7,9 @@
 
 namespace insonify {
 
-/// A new file beside `path`, called PATH.XXXXXXXX.new with eight random hexadecimal digits, that takes the place of
-/// `path` when it is whole. The file is always newly created: symbolic links are not followed, no existing file is
-/// written to, and two programs that write to the same path do not interfere.
+/// A new file beside `path`, named PATH.XXXXXXXX.new with eight random hexadecimal digits, that replaces `path` when it
+/// is complete. The file is always newly created: symbolic links are not followed, no existing file is written to, and
+/// two programs that write to the same path do not interfere.
 class UnfinishedFile {
  public:
   /// @param doing  For messages: "cannot create".
@@ -23,14 +23,14 @@ class UnfinishedFile {
   /// Open for reading and writing.
   [[nodiscard]] int descriptor() const { return descriptor_; }
 
-  /// Renames it to `path` and replaces what was there, also a link (not its target).
+  /// Renames it to `path`, replacing an existing file or link (not its target).
   /// @throws Error "PATH: DOING: REASON".
   void put_in_place();
 
-  /// Where it is until then; empty once it was renamed.
+  /// Its temporary path; empty after renaming.
   [[nodiscard]] const std::filesystem::path& unfinished() const { return unfinished_; }
 
-  /// Leaves it there, under the name it has now.
+  /// Keeps it under its current name.
   void keep() { unfinished_.clear(); }
 
   /// Gives up the descriptor, which the caller must close.

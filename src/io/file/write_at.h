@@ -1,4 +1,4 @@
-// write_at.h -- writes to a place of a file, whatever number of calls that takes.
+// write_at.h -- writes at an offset of a file, in as many calls as needed.
 
 #pragma once
 
@@ -8,9 +8,9 @@
 
 namespace insonify {
 
-/// Writes all of the bytes, also where the system takes them in parts or a signal interrupts.
+/// Writes all of the bytes, also if the system accepts them in parts or a signal interrupts.
 /// @param offset  In the file [bytes].
-/// @return        Whether it did; else errno tells why not, and a part may have been written.
+/// @return        Whether it succeeded; else errno is the reason, and a part may have been written.
 [[nodiscard]] bool write_at(int descriptor, std::uint64_t offset, std::span<const std::byte> bytes);
 
 }  // namespace insonify

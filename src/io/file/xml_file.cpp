@@ -1,4 +1,4 @@
-// xml_file.cpp -- turns pugixml's byte offsets into lines and columns, and refuses what readers behind us overflow on.
+// xml_file.cpp -- turns pugixml's byte offsets into lines and columns; refuses nesting that overflows other readers.
 
 #include "io/file/xml_file.h"
 
@@ -28,7 +28,7 @@ XmlFile::XmlFile(std::string_view text, std::string shown) : shown_(std::move(sh
     line_starts_.push_back(end + 1);
   }
   const auto refuse = [this](const Place& place, const std::string& reason) { throw Error(reason).at(place); };
-  // Bytes are taken for UTF-8 whatever the declaration says: offsets stay those of the file.
+  // Bytes are read as UTF-8 regardless of the declaration, so that offsets are those of the file.
   const pugi::xml_parse_result result =
       document_.load_buffer(text.data(), text.size(), pugi::parse_default, pugi::encoding_utf8);
   if (result.status == pugi::status_no_document_element) {
@@ -42,7 +42,7 @@ XmlFile::XmlFile(std::string_view text, std::string shown) : shown_(std::move(sh
   }
   for (pugi::xml_node second = root().next_sibling(); second; second = second.next_sibling()) {
     if (second.type() == pugi::node_element) {
-      throw Error(fmt::format("{}<{}> stands behind the end of <{}>", where(second), printable(second.name()),
+      throw Error(fmt::format("{}<{}> follows the end of <{}>", where(second), printable(second.name()),
                               printable(root().name())));
     }
   }

@@ -11,12 +11,12 @@
 
 namespace insonify {
 
-/// Elements inside each other, at most; a scene needs a dozen. Recursive readers overflow the stack on more.
+/// Largest depth of nested elements; a scene needs a dozen. Recursive readers overflow the stack on more.
 inline constexpr int kDeepestXml = 200;
 
 class XmlFile {
  public:
-  /// @param shown  The file as messages name it.
+  /// @param shown  The file name in messages.
   /// @throws Error "path:line:column: ..." for a text that is not well-formed, has no element or more than one at its
   /// root, or is nested deeper than kDeepestXml.
   XmlFile(std::string_view text, std::string shown);
@@ -26,7 +26,7 @@ class XmlFile {
   /// Place of an element's '<', columns in bytes; without a line for one that was added later.
   [[nodiscard]] Place place(pugi::xml_node element) const;
 
-  /// The same as messages begin: "path:line:column: ".
+  /// The same as a prefix of messages: "path:line:column: ".
   [[nodiscard]] std::string where(pugi::xml_node element) const { return place(element).text(); }
 
   /// Line of an element's '<', from 1; 0 for one that was added later.

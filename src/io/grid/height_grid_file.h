@@ -28,7 +28,7 @@ struct DegreeLength {
 };
 [[nodiscard]] DegreeLength degree_length(double latitude_deg);
 
-/// Whether numbers that come without a unit are degrees: the grid lies within the ranges of longitude and latitude, its
+/// Whether numbers without a unit are degrees: the grid lies within the ranges of longitude and latitude, its
 /// spacing is at most a tenth of a degree (11 km), and the point (0, 0), where a tank or a test would start counting,
 /// is not in it. `spacing_x`, `spacing_y` and `origin` as in the file.
 [[nodiscard]] bool looks_geographic(const HeightGrid& grid);

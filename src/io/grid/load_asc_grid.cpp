@@ -172,7 +172,7 @@ void read_heights(Words& words, const Header& header, HeightGrid& grid) {
   for (; !words.word().empty() && grid.heights.size() < needed; words.next()) {
     const std::optional<double> value = words.number();
     if (!value) {
-      words.fail(fmt::format("\"{}\" is no number", printable(words.word())));
+      words.fail(fmt::format("\"{}\" is not a number", printable(words.word())));
     }
     const auto height = static_cast<float>(*value);
     if (std::isinf(height)) {

@@ -33,7 +33,7 @@ HeightGrid load_by_ending(const std::filesystem::path& path, const Log& log) {
     throw Error(fmt::format("{0}: TIFF is not read; convert it: gdal_translate -of AAIGrid {1} {2}.asc", path.string(),
                             path.filename().string(), path.stem().string()));
   }
-  throw Error(fmt::format("{}: \"{}\" is no known ending of a height grid; known: {}", path.string(),
+  throw Error(fmt::format("{}: \"{}\" is not a known extension of a height grid; known: {}", path.string(),
                           path.extension().string(), height_grid_file_endings()));
 }
 

@@ -1,4 +1,4 @@
-// mcap_bytes.h -- numbers and texts as MCAP records hold them, and the records' opcodes.
+// mcap_bytes.h -- MCAP's encoding of numbers and texts, and the records' opcodes.
 
 #pragma once
 
@@ -31,7 +31,7 @@ enum class McapOp : std::uint8_t {
   kDataEnd = 0x0f
 };
 
-/// What an MCAP file begins and ends with.
+/// Magic bytes at the start and end of an MCAP file.
 inline constexpr std::string_view kMcapMagic("\x89MCAP0\r\n", 8);
 
 /// Bytes of a record before its content: opcode and length.

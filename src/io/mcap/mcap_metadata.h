@@ -15,13 +15,13 @@ inline constexpr const char* kVersion = "version";
 inline constexpr const char* kModel = "model";
 inline constexpr const char* kEngine = "engine";
 inline constexpr const char* kSeed = "seed";
-inline constexpr const char* kStart = "start";  ///< Time 0 of the pings, as start_text() has it; absent: 1970.
+inline constexpr const char* kStart = "start";  ///< Time 0 of the pings, in the form of start_text(); absent: 1970.
 
 inline constexpr const char* kInstances = "instance_names";  ///< Names of the scene's instances, a JSON list ...
 inline constexpr const char* kMaterials = "material_names";  ///< ... and of its materials.
 
 inline constexpr const char* kSonar = "sonar";        ///< Its name as it is, not as topics have it.
-inline constexpr const char* kSettings = "settings";  ///< A scenario file with this sonar alone.
+inline constexpr const char* kSettings = "settings";  ///< A scenario file with only this sonar.
 inline constexpr const char* kScale = "scale";        ///< Scale of the values of sonar images: db or linear.
 inline constexpr const char* kLowDb = "low_db";       ///< Level of the value 0.
 inline constexpr const char* kHighDb = "high_db";     ///< Level of the greatest value.

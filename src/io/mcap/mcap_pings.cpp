@@ -1,4 +1,4 @@
-// mcap_pings.cpp -- finds the sonar in the metadata, and undoes the mapping of intensities to values.
+// mcap_pings.cpp -- finds the sonar in the metadata, and inverts the mapping of intensities to values.
 
 #include "io/mcap/mcap_pings.h"
 
@@ -86,7 +86,7 @@ MessageLevels levels_of(const Texts& texts, const std::filesystem::path& path) {
                             printable(scale)));
   }
   const auto number = [&](const char* key) {
-    constexpr double kMost = 1000;  // Beyond it, intensities are no numbers [dB].
+    constexpr double kMost = 1000;  // Beyond it, intensities are not finite [dB].
     const double value = number_of(texts, key, path);
     if (std::abs(value) > kMost) {
       throw Error(
@@ -100,7 +100,7 @@ MessageLevels levels_of(const Texts& texts, const std::filesystem::path& path) {
   return levels;
 }
 
-// The part of a sonar image that pings are made of.
+// The parts of a sonar image needed for pings.
 struct Values {
   double azimuth = 0;  // Azimuth of the first beam [rad].
   int bits = 0;
@@ -260,7 +260,7 @@ Ping McapPings::ping(std::uint64_t number) const {
                              sonar.bin_count, sonar.beam_count));
   }
   if (sonar.type == SonarType::kMechanicallyScanned) {
-    // The head of a run turns on and on; the message tells its direction.
+    // A run's head angle grows beyond a turn; the message has its direction.
     constexpr double kTurn = 2 * std::numbers::pi;
     const double angle = values.azimuth - sonar.beam_azimuth(0);
     ping.head_angle = angle + kTurn * std::round((sonar.head_angle(number) - angle) / kTurn);

@@ -10,14 +10,14 @@
 
 namespace insonify {
 
-/// Pings of an MCAP recording that insonify has made, also of an unfinished one. Their intensities are what the sonar
-/// images' values stand for: within half a step of the mapping (0.0005 dB with 16 bits), 0 at and below its lowest
-/// level, the highest level above it. There is no ground truth.
+/// Pings of an MCAP recording made by insonify, also of an unfinished one. Intensities are decoded from the sonar
+/// images: exact within half a step of the mapping (0.0005 dB with 16 bits), 0 at and below its lowest level, clipped
+/// at the highest. There is no ground truth.
 class McapPings : public PingReader {
  public:
   /// @param sonar  Its name; "" for the only one.
-  /// @throws Error with the path for a file that is missing, is no MCAP file or was not made by insonify; for a sonar
-  ///         that it does not have, naming those that it has.
+  /// @throws Error with the path for a file that is missing, not MCAP or not made by insonify; for an unknown sonar,
+  /// with the names of those in the file.
   explicit McapPings(const std::filesystem::path& path, const std::string& sonar = "");
 
   [[nodiscard]] std::uint64_t ping_count() const override { return count_; }
@@ -38,7 +38,7 @@ class McapPings : public PingReader {
   /// Sonar, receiver and model; `name` is that of its topics.
   [[nodiscard]] const MessageSource& source() const { return source_; }
   [[nodiscard]] const MessageLevels& levels() const { return levels_; }
-  /// Bits of a value, as the first ping has them; 16 where there is none.
+  /// Bits per value in the first ping; 16 if there is none.
   [[nodiscard]] int bits() const;
   /// Time of transmission after the run's start, without reading messages [s].
   [[nodiscard]] double time(std::uint64_t ping) const;
@@ -57,16 +57,16 @@ class McapPings : public PingReader {
   MessageLevels levels_;
   const std::vector<McapReader::Entry>*images_ = nullptr, *poses_ = nullptr;
   std::uint64_t count_ = 0;
-  std::vector<double> factors_;                      // What takes the gain back, of each bin.
-  mutable std::vector<double> of_bytes_, of_words_;  // Intensities by value, before that; made when asked for.
+  std::vector<double> factors_;                      // Inverse of the gain, per bin.
+  mutable std::vector<double> of_bytes_, of_words_;  // Intensities by value, with the gain; made on demand.
 };
 
-/// Time 0 of a file's pings, since 1970-01-01T00:00:00Z [ns]; absent where its run had no start.
-/// @throws Error with the path for metadata that are no time.
+/// Time 0 of a file's pings, since 1970-01-01T00:00:00Z [ns]; absent if its run had no start.
+/// @throws Error with the path for invalid metadata.
 [[nodiscard]] std::optional<std::uint64_t> mcap_start_ns(const McapReader& file, const std::filesystem::path& path);
 
 /// Names of the sonars that an MCAP recording holds.
-/// @throws Error with the path for a file that insonify has not made.
+/// @throws Error with the path for a file not made by insonify.
 [[nodiscard]] std::vector<std::string> mcap_sonars(const McapReader& file, const std::filesystem::path& path);
 
 }  // namespace insonify

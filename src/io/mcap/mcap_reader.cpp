@@ -96,7 +96,7 @@ std::vector<std::byte> McapReader::bytes_at(std::uint64_t place, std::uint64_t c
   return bytes;
 }
 
-// Up to the end of the data, or to where a killed run has left off.
+// Up to the end of the data, or of what a killed run has written.
 void McapReader::read_records() {
   constexpr std::uint64_t kChunkHead = 8 + 8 + 8 + 4 + 4 + 4 + 8;  // With a compression of four letters.
   for (std::uint64_t at = kMcapMagic.size(); at + kMcapRecordHead <= size_;) {

@@ -1,4 +1,4 @@
-// mcap_reader.h -- reads MCAP files that McapWriter has written, also those that a killed run has left.
+// mcap_reader.h -- reads MCAP files written by McapWriter, also those of killed runs.
 
 #pragma once
 
@@ -17,14 +17,14 @@ class McapReader {
   struct Entry {
     std::uint64_t time = 0;    // [ns]
     std::size_t chunk = 0;     // Index of its chunk ...
-    std::uint64_t offset = 0;  // ... and where its record begins in that, uncompressed.
+    std::uint64_t offset = 0;  // ... and the offset of its record in the uncompressed chunk.
   };
 
-  /// Goes through the file's records, without the messages.
-  /// @throws Error with the path for a file that is missing, is no MCAP file or has broken records.
+  /// Reads the file's records, without the messages.
+  /// @throws Error with the path for a file that is missing, not MCAP or has broken records.
   explicit McapReader(const std::filesystem::path& path);
 
-  /// Whether the file has its end: a killed run leaves one without.
+  /// Whether the file has its end record, which those of killed runs lack.
   [[nodiscard]] bool is_whole() const { return whole_; }
 
   /// Metadata by name.
@@ -33,7 +33,7 @@ class McapReader {
   /// Topics with their types.
   [[nodiscard]] const std::map<std::string, std::string>& topics() const { return topics_; }
 
-  /// Messages of a topic in the order of the file; empty for one that is not there.
+  /// Messages of a topic in file order; empty for an unknown topic.
   [[nodiscard]] const std::vector<Entry>& messages(const std::string& topic) const;
 
   /// One message.

@@ -1,4 +1,4 @@
-// mcap_recording.cpp -- which messages of a ping go where in the MCAP file, and what its metadata say.
+// mcap_recording.cpp -- writes the messages of pings and the metadata of an MCAP file.
 
 #include "insonify/mcap_recording.h"
 
@@ -119,7 +119,7 @@ void McapRecording::add(std::size_t sonar, const Ping& ping) {
   std::vector<McapWriter::Message> encoded;
   std::uint64_t time_ns = 0;
   try {
-    time_ns = state_->messages.tell(sonar, ping, [&](std::size_t channel, std::vector<std::byte> message) {
+    time_ns = state_->messages.encode(sonar, ping, [&](std::size_t channel, std::vector<std::byte> message) {
       encoded.push_back({state_->channels[sonar][channel], std::move(message)});
     });
   } catch (const Error& error) {
@@ -130,7 +130,7 @@ void McapRecording::add(std::size_t sonar, const Ping& ping) {
 
 void McapRecording::close() {
   state_->file.close();
-  state_->messages.tell_cuts(state_->path, std::exchange(state_->log, {}));  // Once.
+  state_->messages.warn_of_clipping(state_->path, std::exchange(state_->log, {}));  // Once.
 }
 
 const std::filesystem::path& McapRecording::place() const {
@@ -139,13 +139,13 @@ const std::filesystem::path& McapRecording::place() const {
 
 namespace {
 
-// Fan pictures that a file of that many pings holds at most.
+// Largest number of fan pictures in a file of that many pings.
 std::uint64_t fan_pictures(const SonarConfig& sonar, std::uint64_t pings, const MessageOptions& options) {
   const std::optional<double> rate = options.fan_rate_of(sonar);
   if (!rate || *rate == 0) {
     return rate ? 0 : pings;
   }
-  constexpr double kSlowWater = 1400;  // Pings take longer the slower the sound is [m/s].
+  constexpr double kSlowWater = 1400;  // Slow sound makes pings longest [m/s].
   const double period =
       sonar.ping_period.value_or(sonar.shortest_ping_period(sonar.assumed_sound_speed.value_or(kSlowWater)));
   const double pictures = std::ceil(static_cast<double>(pings) * period * *rate) + 1;
@@ -156,7 +156,7 @@ std::uint64_t fan_pictures(const SonarConfig& sonar, std::uint64_t pings, const 
 
 std::uint64_t mcap_bytes(const SonarConfig& sonar, std::uint64_t pings, const MessageOptions& options) {
   constexpr std::uint64_t kFixed = 100'000;  // Definitions, scenario, summary.
-  constexpr std::uint64_t kAround = 2'000;   // Fields beside the tables, indexes.
+  constexpr std::uint64_t kAround = 2'000;   // Fields other than the tables, indexes.
   constexpr std::uint64_t kAspect = 2;       // Width of a fan over its height, at most.
   constexpr std::uint64_t kPoint = 16;
   const auto cells = static_cast<std::uint64_t>(sonar.bin_count) * static_cast<std::uint64_t>(sonar.beam_count);

@@ -14,7 +14,7 @@
 namespace insonify {
 namespace {
 
-// A member of a configuration as JSON, as recordings hold it: words as texts, angles in radians.
+// A member of a configuration as JSON, as in recordings: words as texts, angles in radians.
 template <typename Member>
 nlohmann::json json_of_member(const Member& member) {
   if constexpr (std::is_enum_v<Member>) {
@@ -28,7 +28,7 @@ nlohmann::json json_of_member(const Member& member) {
   }
 }
 
-// A configuration without what is absent; its parts that are structs are objects of their own.
+// A configuration without absent members; parts that are structs become objects.
 template <typename Config>
 nlohmann::json json_of(const Config& config) {
   nlohmann::json object = nlohmann::json::object();
@@ -73,7 +73,7 @@ std::vector<std::byte> bytes_of(const Pose& pose) {
   return bytes_of(std::vector<double>{p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()});
 }
 
-// Appends the part of a row-major block that slices of its axes choose.
+// Appends the selected slice of a row-major block.
 void take_block(std::span<const std::byte> block, std::size_t value_bytes, std::span<const std::uint64_t> shape,
                 std::span<const TableSlice> slices, std::byte*& into) {
   if (shape.empty()) {
@@ -166,7 +166,7 @@ void McapTables::add_names() {
   }
 }
 
-// In alphabetical order, as HDF5 lists them.
+// In alphabetical order, as in HDF5.
 void McapTables::add_tables() {
   const SonarConfig& config = pings_.source().sonar;
   const auto beams = static_cast<std::uint64_t>(config.beam_count), bins = static_cast<std::uint64_t>(config.bin_count);

@@ -1,4 +1,4 @@
-// mcap_tables.h -- an MCAP recording of insonify's as the tables that an HDF5 recording of the same sonar has.
+// mcap_tables.h -- presents an MCAP recording as the tables of an HDF5 recording.
 
 #pragma once
 
@@ -8,8 +8,8 @@
 namespace insonify {
 
 /// Tables `intensity`, `time`, `world_from_sonar`, `head_angle` of a scanning sonar, and the axes; the names of the
-/// scene's instances and materials, where the file has them, but no ground truth, which messages do not tell.
-/// Attributes and settings are those that the file's metadata have.
+/// scene's instances and materials if the file has them, but no ground truth, which is not in messages. Attributes and
+/// settings come from the file's metadata.
 class McapTables : public RecordedTables {
  public:
   /// @throws Error as McapPings does.
@@ -28,11 +28,11 @@ class McapTables : public RecordedTables {
   McapPings pings_;
 };
 
-/// What the metadata of the run tell: version, model, engine, seed, and the text of the scenario.
-/// @throws Error with the path for a file that insonify has not made.
+/// Metadata of the run: version, model, engine, seed, and the text of the scenario.
+/// @throws Error with the path for a file not made by insonify.
 [[nodiscard]] nlohmann::json mcap_run_facts(const McapReader& file, const std::filesystem::path& path);
 
-/// How a sonar's levels are told: "levels from -100 to -40 dB in steps of 0.00092 dB ...".
+/// Description of a sonar's levels: "levels from -100 to -40 dB in steps of 0.00092 dB ...".
 [[nodiscard]] std::string levels_text(const MessageLevels& levels, int bits);
 
 }  // namespace insonify

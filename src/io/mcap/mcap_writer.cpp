@@ -30,7 +30,7 @@ McapWriter::McapWriter(std::filesystem::path path, const std::string& library, b
   std::error_code ignored;
   if (std::filesystem::is_regular_file(path_, ignored)) {
     if (!replace) {
-      fail("cannot create: it is there already");
+      fail("cannot create: it exists already");
     }
     earlier_ = std::make_unique<WriteMark>(path_);
   }
@@ -93,7 +93,7 @@ void McapWriter::write_chunks_in_time() {
       try {
         write_chunk();
       } catch (...) {
-        failure_ = std::current_exception();  // The next call tells.
+        failure_ = std::current_exception();  // Rethrown by the next call.
         return;
       }
     }
@@ -153,14 +153,14 @@ void McapWriter::put_channel(McapBytes& into, std::size_t index) const {
   });
 }
 
-// A chunk begins with the schemas and the channels that are new since the last one.
+// A chunk begins with the schemas and channels that are new since the last chunk.
 void McapWriter::begin_chunk() {
   chunk_begun_ = chunk_index_.empty() ? Clock::now() : chunk_begun_;
-  for (; told_schemas_ < schemas_.size(); ++told_schemas_) {
-    put_schema(chunk_, told_schemas_);
+  for (; written_schemas_ < schemas_.size(); ++written_schemas_) {
+    put_schema(chunk_, written_schemas_);
   }
-  for (; told_channels_ < channels_.size(); ++told_channels_) {
-    put_channel(chunk_, told_channels_);
+  for (; written_channels_ < channels_.size(); ++written_channels_) {
+    put_channel(chunk_, written_channels_);
   }
 }
 
@@ -180,7 +180,7 @@ void McapWriter::add(std::uint64_t time_ns, std::span<const Message> messages) {
   const std::lock_guard lock(mutex_);
   check_open();
   const bool begins = chunk_index_.empty();
-  if (begins || told_channels_ < channels_.size()) {
+  if (begins || written_channels_ < channels_.size()) {
     begin_chunk();
   }
   for (const Message& message : messages) {

@@ -21,32 +21,32 @@
 namespace insonify {
 
 /// A file of profile "ros2" whose messages are CDR with schemas "ros2msg". Messages collect in a chunk, which is
-/// compressed and written at once when it is large, and at the latest kLongestChunk after its first message, by a
-/// thread of its own: a process that is killed loses no more than that.
+/// compressed and written when it is large, at the latest kLongestChunk after its first message, by a thread of its
+/// own: a killed process loses no more than that.
 ///
-/// The file is made beside `path`, as an UnfinishedFile. If nothing is at `path`, it goes there at once. A file that is
-/// there already stays until close(); without close() the new one stays beside it if it has messages.
+/// The file is made as an UnfinishedFile beside `path`, and renamed at once if there is no file at `path`. An existing
+/// file stays until close(); without close() the new one stays beside it if it has messages.
 ///
-/// Where the disk is full the file still ends as it should if that has room: of the chunk that did not fit it has the
-/// first pings, and metadata say why it ends (mcap_metadata::kEnd).
+/// If the disk is full, the file is still closed properly if that fits: it has the first pings of the last chunk, and
+/// metadata with the reason for its end (mcap_metadata::kEnd).
 class McapWriter {
  public:
   static constexpr std::chrono::milliseconds kLongestChunk{500};
 
-  /// @param only_whole  Stay beside `path` until close() in any case, and be removed without; chunks end by their size
-  ///                    alone, so that the same messages are the same bytes.
-  /// @throws Error with the path when the file cannot be made, or is there and may not be replaced.
+  /// @param only_whole  Always stay beside `path` until close(), and be removed without it; chunks end only by their
+  /// size, so that the same messages give the same bytes.
+  /// @throws Error with the path if the file cannot be made, or exists and may not be replaced.
   McapWriter(std::filesystem::path path, const std::string& library, bool replace, bool only_whole = false);
-  /// Finishes the file without reporting errors and without replacing an earlier one.
+  /// Finishes the file without reporting errors and without replacing an existing one.
   ~McapWriter();
   McapWriter(const McapWriter&) = delete;
   McapWriter& operator=(const McapWriter&) = delete;
 
-  /// Texts about the file, which readers find without reading messages. Before the first message.
+  /// Adds metadata, which readers find without reading messages. To be called before the first message.
   void add_metadata(const std::string& name, const std::map<std::string, std::string>& texts);
 
-  /// The number of a new channel; of the one that there is where topic and type are the same.
-  /// @throws Error where the topic has another type.
+  /// The number of a new channel, or of the existing one with the same topic and type.
+  /// @throws Error if the topic has another type.
   std::uint16_t add_channel(const std::string& topic, const std::string& type, const std::string& definition);
 
   struct Message {
@@ -54,15 +54,15 @@ class McapWriter {
     std::vector<std::byte> bytes = {};
   };
 
-  /// Adds messages that come into the file together, in one chunk: those about one ping.
+  /// Adds messages that must be in one chunk: those of one ping.
   /// @param time_ns  Their time, for log and publication.
-  /// @throws Error when the disk is full, from then on; the file then holds what was written before.
+  /// @throws Error once the disk is full; the file then holds the messages written before.
   void add(std::uint64_t time_ns, std::span<const Message> messages);
 
-  /// Writes what is left, the index and the end, has the system put all on the disk and puts the file in its place.
+  /// Writes pending messages, index and end, flushes everything to disk and renames the file to `path`.
   void close();
 
-  /// Where the file is now.
+  /// The file's current path.
   [[nodiscard]] const std::filesystem::path& place() const { return is_beside() ? out_->unfinished() : path_; }
 
  private:
@@ -79,7 +79,7 @@ class McapWriter {
     std::uint64_t time = 0, offset = 0;
   };
 
-  // What the file holds, and what its summary will tell of it.
+  // Contents of the file, for its summary.
   struct Written {
     std::uint64_t bytes = 0;
     std::uint32_t crc = 0;                      // CRC-32 of all of them.
@@ -116,7 +116,7 @@ class McapWriter {
 
   std::vector<Schema> schemas_;
   std::vector<Channel> channels_;
-  std::size_t told_schemas_ = 0, told_channels_ = 0;  // In chunks so far.
+  std::size_t written_schemas_ = 0, written_channels_ = 0;  // In chunks so far.
   McapBytes chunk_;
   std::map<std::uint16_t, std::vector<IndexEntry>> chunk_index_;
   std::vector<std::size_t> ping_ends_;  // Where in the chunk what belongs together ends.

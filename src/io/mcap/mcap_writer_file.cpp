@@ -40,12 +40,12 @@ std::vector<std::byte> compressed(std::span<const std::byte> bytes) {
 // Appends to the file.
 void McapWriter::write(std::span<const std::byte> bytes) {
   if (!is_still_there(out_->descriptor(), absolute_)) {
-    fail("is no longer there: it was removed, moved or replaced while it was being written");
+    fail("no longer exists: it was removed, moved or replaced while it was being written");
   }
   if (!write_at(out_->descriptor(), written_.bytes, bytes)) {
     const int error = errno;
     const std::string reason = std::generic_category().message(error);
-    // Nothing of a part remains.
+    // No part of it remains.
     [[maybe_unused]] const int cut = ftruncate(out_->descriptor(), static_cast<off_t>(written_.bytes));
     if (error == ENOSPC || error == EDQUOT || error == EFBIG) {
       full_disk_ = reason;
@@ -72,7 +72,7 @@ void McapWriter::put_metadata(const std::string& name, const std::map<std::strin
   ++written_.metadata;
 }
 
-// Where the disk is full, what fits of the chunk is written, and the end of the file.
+// If the disk is full, writes the part of the chunk that fits, and the end of the file.
 void McapWriter::write_chunk() {
   if (chunk_index_.empty()) {
     return;
@@ -150,7 +150,7 @@ void McapWriter::write_pings(std::size_t count) {
   }
 }
 
-// As many pings of the chunk as leave room for the end of the file; where not even that has room, nothing.
+// As many pings of the chunk as leave room for the end of the file; none if not even that fits.
 void McapWriter::save_what_fits() {
   const Written before = written_;
   for (std::size_t count = ping_ends_.size(); count-- > 0;) {
@@ -188,24 +188,24 @@ void McapWriter::write_summary() {
     }
   };
   group(McapOp::kSchema, [&] {
-    for (std::size_t i = 0; i < told_schemas_; ++i) {
+    for (std::size_t i = 0; i < written_schemas_; ++i) {
       put_schema(summary, i);
     }
   });
   group(McapOp::kChannel, [&] {
-    for (std::size_t i = 0; i < told_channels_; ++i) {
+    for (std::size_t i = 0; i < written_channels_; ++i) {
       put_channel(summary, i);
     }
   });
   group(McapOp::kStatistics, [&] {
     summary.record(McapOp::kStatistics, [&] {
       std::map<std::uint16_t, std::uint64_t> counts = written_.by_channel;
-      for (std::size_t i = 0; i < told_channels_; ++i) {
+      for (std::size_t i = 0; i < written_channels_; ++i) {
         counts.try_emplace(static_cast<std::uint16_t>(i), 0);
       }
       summary.put(written_.messages);
-      summary.put(static_cast<std::uint16_t>(told_schemas_));
-      summary.put(static_cast<std::uint32_t>(told_channels_));
+      summary.put(static_cast<std::uint16_t>(written_schemas_));
+      summary.put(static_cast<std::uint32_t>(written_channels_));
       summary.put(std::uint32_t{0});  // Attachments.
       summary.put(written_.metadata);
       summary.put(written_.chunks);

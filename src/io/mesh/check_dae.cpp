@@ -20,7 +20,7 @@ const std::map<std::string, std::set<std::string>> kInstances = {{"instance_geom
                                                                  {"instance_controller", {"controller", "geometry"}},
                                                                  {"instance_node", {"node"}}};
 
-// Numbers all elements, each after the one it stands in.
+// Numbers all elements, each after its parent.
 struct Numbering : pugi::xml_tree_walker {
   bool for_each(pugi::xml_node& node) override {
     if (node.type() != pugi::node_element) {
@@ -54,7 +54,7 @@ void check_dae(std::string_view text, const std::filesystem::path& path) {
       named.emplace(fmt::format("{} #{}", elements[i].name(), id.value()), i);
     }
   }
-  // Besides the element that it stands in, a node hangs on every <instance_node> that names it.
+  // Besides its parent element, a node depends on every <instance_node> that names it.
   for (std::size_t i = 0; i < elements.size(); ++i) {
     const auto kinds = kInstances.find(elements[i].name());
     const std::string url = elements[i].attribute("url").value();

@@ -1,4 +1,4 @@
-// check_stl.h -- refuses STL files of which a part is missing.
+// check_stl.h -- refuses incomplete STL files.
 
 #pragma once
 

@@ -20,7 +20,7 @@ struct FlattenSettings {
 };
 
 struct FlattenedScene {
-  Mesh mesh;                         ///< Not cleaned. Normals are zero where the file has none.
+  Mesh mesh;                         ///< Not cleaned. Normals are zero if the file has none.
   std::size_t lines_and_points = 0;  ///< Number of faces dropped because they have fewer than 3 corners.
   std::vector<std::string> notes;    ///< Warnings about other parts that were not read.
 };

@@ -126,7 +126,7 @@ Mesh load_mesh_file(const std::filesystem::path& path, const Submesh& submesh, c
       throw Error(fmt::format("{0}: OpenSceneGraph's files are not read; convert it: osgconv {1} {2}.obj",
                               path.string(), path.filename().string(), stem));
     }
-    throw Error(fmt::format("{}: \"{}\" is no known ending of a mesh file; known: {}", path.string(),
+    throw Error(fmt::format("{}: \"{}\" is not a known extension of a mesh file; known: {}", path.string(),
                             path.extension().string(), mesh_file_endings()));
   }
 

@@ -99,7 +99,7 @@ std::shared_ptr<const Relief> mesh_relief(const aiScene& scene, const aiMaterial
   try {
     return std::make_shared<const Relief>(read(scene, material, *map, mesh_path));
   } catch (const Error& error) {
-    notes.push_back(fmt::format("left out the small normals of material {}: {}", printable(material.GetName().C_Str()),
+    notes.push_back(fmt::format("skipped the small normals of material {}: {}", printable(material.GetName().C_Str()),
                                 error.what()));
     return nullptr;
   }

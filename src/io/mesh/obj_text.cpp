@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::string_view kSpace = " \t\r\n";
 
-// What a message quotes of a text.
+// Quotes a text in a message.
 std::string shown(std::string_view text) {
   return printable(text.substr(0, text.find_last_not_of(kSpace) + 1));
 }
@@ -42,7 +42,7 @@ class Statements {
  public:
   Statements(std::string_view text, const std::filesystem::path& path) : text_(text), path_(path) {}
 
-  // Goes on to the next one. False at the end.
+  // Moves to the next one. False at the end.
   bool next() {
     now_.line += static_cast<int>(std::ranges::count(now_.text, '\n'));
     if (at_ == text_.size()) {
@@ -171,7 +171,7 @@ void check_index(const Statements& statements, std::string_view word, long verti
     statements.fail("there is no vertex 0, they count from 1");
   }
   if (number[0] == '-' && (failure != std::errc() || -index > vertices_before)) {
-    statements.fail(fmt::format("there is no vertex {}, {} stand before this", shown(number), vertices_before));
+    statements.fail(fmt::format("there is no vertex {}, {} precede this", shown(number), vertices_before));
   }
   if (number[0] != '-' && (failure != std::errc() || index > vertices)) {
     statements.fail(fmt::format("there is no vertex {}, the file has {}", shown(number), vertices));

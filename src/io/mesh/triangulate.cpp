@@ -1,4 +1,4 @@
-// triangulate.cpp -- ear clipping: cut off a corner whose triangle holds no other corner, again and again.
+// triangulate.cpp -- ear clipping: repeatedly cuts off a corner whose triangle holds no other corner.
 
 #include "io/mesh/triangulate.h"
 
@@ -83,7 +83,7 @@ class EarClipper {
     return true;
   }
 
-  // From `start` on; where there is none, as in a polygon that crosses itself, the sharpest corner.
+  // From `start` on; without one, as in a polygon that crosses itself, the sharpest corner.
   [[nodiscard]] std::size_t find_ear(std::size_t start) const {
     std::size_t sharpest = start;
     for (std::size_t step = 0; step < left_.size(); ++step) {

@@ -1,4 +1,4 @@
-// cdr_reader.h -- reads back messages that a CdrWriter has written.
+// cdr_reader.h -- reads messages written by a CdrWriter.
 
 #pragma once
 
@@ -13,13 +13,13 @@
 
 namespace insonify {
 
-/// Reads one message, field by field. Every function throws Error where the message is too short.
+/// Reads one message, field by field. Every function throws Error if the message is too short.
 class CdrReader {
  public:
   /// @throws Error unless it is little-endian CDR.
   explicit CdrReader(std::span<const std::byte> message) : bytes_(message) {
     if (message.size() < kHeader || message[0] != std::byte{0} || message[1] != std::byte{1}) {
-      throw Error("a message is no little-endian CDR");
+      throw Error("a message is not little-endian CDR");
     }
   }
 

@@ -1,4 +1,4 @@
-// definitions.h -- definitions of the ROS message types in use, as their .msg files have them, without comments.
+// definitions.h -- definitions of the ROS message types in use: their .msg files without comments.
 
 #pragma once
 
@@ -14,7 +14,7 @@ namespace insonify {
 /// @param type  "sensor_msgs/Image"; must be one of those in definitions.cpp.
 [[nodiscard]] std::string message_definition(std::string_view type, MessageForm form);
 
-/// The checksum by which ROS 1 knows a type that has a channel.
+/// The checksum by which ROS 1 identifies a type that has a channel.
 [[nodiscard]] std::string_view ros1_checksum(std::string_view type);
 
 }  // namespace insonify

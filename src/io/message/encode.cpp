@@ -10,9 +10,9 @@
 namespace insonify {
 namespace {
 
-constexpr std::size_t kAroundData = 256;  // Approximate size of a message beside its table [bytes].
+constexpr std::size_t kAroundData = 256;  // Approximate size of a message without its table [bytes].
 
-// What `write(out)` writes in the form that is asked for.
+// What `write(out)` writes, in the requested form.
 template <typename Write>
 std::vector<std::byte> encoded(MessageForm form, std::size_t bytes, Write&& write) {
   if (form == MessageForm::kRos1) {

@@ -19,26 +19,26 @@ namespace insonify {
 struct MessageHeader {
   std::uint64_t time_ns = 0;  ///< Below 2^31 s.
   std::string frame;
-  std::uint32_t sequence = 0;  ///< ROS 1 alone has it.
+  std::uint32_t sequence = 0;  ///< ROS 1 only.
 };
 
-/// Where a frame is in another one.
+/// Pose of a frame in another one.
 struct FramePose {
   MessageHeader parent;
   std::string child;
   Pose parent_from_child;
 };
 
-/// marine_acoustic_msgs/ProjectedSonarImage, but for its values.
+/// marine_acoustic_msgs/ProjectedSonarImage, without its values.
 struct SonarImageFacts {
   float frequency = 0, sound_speed = 0;  ///< [Hz], [m/s]
-  std::vector<float> transmit_widths;    ///< One a beam: some readers take the first without looking [rad].
-  std::vector<float> receive_widths;     ///< One a beam [rad].
+  std::vector<float> transmit_widths;    ///< One per beam: some readers use the first without checking [rad].
+  std::vector<float> receive_widths;     ///< One per beam [rad].
   std::vector<Vec3> directions;          ///< Unit vector of each beam, in the frame of the message.
   std::vector<float> ranges;             ///< Centre of each bin [m].
 };
 
-/// A point of a cloud, as it lies in the message.
+/// A point of a cloud, in the message's layout.
 struct CloudPoint {
   float x = 0, y = 0, z = 0;  ///< [m]
   float intensity = 0;        ///< [dB]
@@ -49,7 +49,7 @@ struct CloudPoint {
 [[nodiscard]] std::vector<std::byte> encode_transforms(MessageForm form, std::span<const FramePose> frames);
 [[nodiscard]] std::vector<std::byte> encode_image(MessageForm form, const MessageHeader& header,
                                                   const Picture& picture);
-/// @param values  One a pixel, of 8 or of 16 bits, row after row.
+/// @param values  One per pixel, of 8 or 16 bits, row by row.
 [[nodiscard]] std::vector<std::byte> encode_grey_image(MessageForm form, const MessageHeader& header, std::size_t width,
                                                        std::span<const std::uint8_t> values);
 [[nodiscard]] std::vector<std::byte> encode_grey_image(MessageForm form, const MessageHeader& header, std::size_t width,
@@ -57,8 +57,8 @@ struct CloudPoint {
 [[nodiscard]] std::vector<std::byte> encode_cloud(MessageForm form, const MessageHeader& header,
                                                   std::span<const CloudPoint> points);
 
-/// @param values  One a cell, of 8 or of 16 bits, range-major: a row holds all beams at one range. (The comment in the
-///                .msg file says otherwise; those who read such messages take them so.)
+/// @param values  One per cell, of 8 or 16 bits, range-major: a row holds all beams at one range. (The comment in the
+///                .msg file says otherwise, but readers expect this order.)
 [[nodiscard]] std::vector<std::byte> encode_sonar_image(MessageForm form, const MessageHeader& header,
                                                         const SonarImageFacts& facts,
                                                         std::span<const std::uint8_t> values);

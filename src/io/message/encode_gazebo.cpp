@@ -12,7 +12,7 @@
 namespace insonify::gazebo {
 namespace {
 
-constexpr std::size_t kAroundData = 512;  // About what a message holds beside its table [bytes].
+constexpr std::size_t kAroundData = 512;  // Approximate size of a message without its table [bytes].
 
 using Texts = std::vector<std::string>;
 using Entry = std::pair<std::string_view, Texts>;

@@ -1,4 +1,4 @@
-// encode_gazebo.h -- encodes messages as Gazebo's transport has them: the types of gz.msgs, formerly ignition.msgs.
+// encode_gazebo.h -- encodes messages for Gazebo's transport: the types of gz.msgs, formerly ignition.msgs.
 
 #pragma once
 
@@ -20,15 +20,15 @@ enum class PixelFormat { kGrey8 = 1, kGrey16 = 2, kRgb8 = 3 };
 [[nodiscard]] std::vector<std::byte> encode_text(std::string_view text);
 /// Pose.
 [[nodiscard]] std::vector<std::byte> encode_pose(const MessageHeader& header, const Pose& pose);
-/// Pose_V: each pose has the name of its frame, and that of the frame it is in in its header.
+/// Pose_V: each pose has the name of its frame, and that of its parent frame in its header.
 [[nodiscard]] std::vector<std::byte> encode_transforms(std::span<const FramePose> frames);
 /// Image.
-/// @param step  Of a row [bytes].
+/// @param step  Size of a row [bytes].
 [[nodiscard]] std::vector<std::byte> encode_pixels(const MessageHeader& header, PixelFormat format, std::size_t width,
                                                    std::size_t step, std::span<const std::byte> bytes);
 /// PointCloudPacked.
 [[nodiscard]] std::vector<std::byte> encode_cloud(const MessageHeader& header, std::span<const CloudPoint> points);
-/// Image with a row for each bin and a column for each beam; all else of the facts is in its header as texts:
+/// Image with a row for each bin and a column for each beam; all other facts are in its header as texts:
 /// frequency, sound_speed, azimuths, ranges, transmit_widths, receive_widths.
 [[nodiscard]] std::vector<std::byte> encode_sonar_image(const MessageHeader& header, const SonarImageFacts& facts,
                                                         PixelFormat format, std::span<const std::byte> values);

@@ -9,8 +9,8 @@
 
 namespace insonify {
 
-/// Channels of the sonar called `name`, as it stands in topics.
-/// @param raw  Whether there is one of raw images.
+/// Channels of the sonar called `name` in topics.
+/// @param raw  Whether to include one for raw images.
 [[nodiscard]] std::vector<MessageChannel> message_channels(const std::string& name, MessageForm form, bool raw);
 
 }  // namespace insonify

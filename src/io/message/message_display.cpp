@@ -29,7 +29,7 @@ MessageLevels message_levels(const MessageSource& source, const MessageOptions& 
   } else if (source.receiver.full_scale_db) {
     levels.high_db = *source.receiver.full_scale_db;
     levels.low_db = levels.high_db - source.sonar.mapping_range_db;
-    levels.gain_per_decade = 0;  // The receiver's own counts have none.
+    levels.gain_per_decade = 0;  // The receiver's counts have none.
   }
   levels.low_db = options.low_db.value_or(levels.low_db);
   levels.high_db = options.high_db.value_or(levels.high_db);

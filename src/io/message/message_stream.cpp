@@ -16,7 +16,7 @@ MessageStream::MessageStream(std::vector<MessageSource> sources, const MessageOp
   }
 }
 
-std::uint64_t MessageStream::tell(
+std::uint64_t MessageStream::encode(
     std::size_t sonar, const Ping& ping,
     const std::function<void(std::size_t channel, std::vector<std::byte> message)>& visit) {
   SonarMessages& messages = sonars_.at(sonar);
@@ -26,14 +26,14 @@ std::uint64_t MessageStream::tell(
     if (!messages.is_due(i)) {
       continue;
     }
-    if (!is_scenario || told_scenarios_.insert(sources_[sonar].scenario).second) {
+    if (!is_scenario || sent_scenarios_.insert(sources_[sonar].scenario).second) {
       visit(i, messages.encode(i));
     }
   }
   return messages.time_ns();
 }
 
-void MessageStream::tell_cuts(const std::filesystem::path& file, const Log& log) const {
+void MessageStream::warn_of_clipping(const std::filesystem::path& file, const Log& log) const {
   for (const SonarMessages& messages : sonars_) {
     if (const std::string text = messages.cut_text(); !text.empty() && log) {
       log(Severity::kWarning, fmt::format("{}: {}", file.string(), text));

@@ -1,4 +1,4 @@
-// protobuf_writer.h -- encodes values as Protocol Buffers do (protobuf.dev/programming-guides/encoding).
+// protobuf_writer.h -- encodes values in the Protocol Buffers format (protobuf.dev/programming-guides/encoding).
 
 #pragma once
 
@@ -13,11 +13,11 @@
 
 namespace insonify {
 
-/// Encodes one message, field by field. Fields that have their default value, 0 or nothing, are left out, as proto3 has
-/// it; elements of repeated fields are not.
+/// Encodes one message, field by field. As in proto3, fields with their default value, 0 or empty, are omitted;
+/// elements of repeated fields are not.
 class ProtobufWriter {
  public:
-  /// @param bytes  About how many the message has.
+  /// @param bytes  Approximate size of the message.
   explicit ProtobufWriter(std::size_t bytes = 256) {
     static_assert(std::endian::native == std::endian::little, "numbers are written as they lie in memory");
     bytes_.reserve(bytes);

@@ -1,4 +1,4 @@
-// ros_name.h -- names of sonars as ROS allows them in topics and frames.
+// ros_name.h -- names of sonars that are valid in ROS topics and frames.
 
 #pragma once
 
@@ -11,8 +11,8 @@
 
 namespace insonify {
 
-/// ASCII letters, digits and `_`; any other character becomes `_` (as does a byte that is no UTF-8), and a name that
-/// begins with a digit gets one in front. "" becomes "sonar".
+/// ASCII letters, digits and `_`; any other character or invalid byte becomes `_`, and a name that begins with a digit
+/// gets one in front. "" becomes "sonar".
 [[nodiscard]] inline std::string ros_name(std::string_view name) {
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   std::string result;
@@ -27,8 +27,8 @@ namespace insonify {
   return is_digit(result.front()) ? "_" + result : result;
 }
 
-/// The names of several sonars, which stay apart: a name that ROS allows stays as it is; of others with the same result
-/// the second gets `_2` at its end, the third `_3` ...
+/// Unique names of several sonars: a name that is valid in ROS is unchanged; of others with the same result the second
+/// gets the suffix `_2`, the third `_3` ...
 [[nodiscard]] inline std::vector<std::string> ros_names(const std::vector<std::string>& names) {
   std::vector<std::string> results(names.size()), taken;
   for (std::size_t i = 0; i < names.size(); ++i) {

@@ -23,7 +23,7 @@ namespace {
 
 constexpr double kTimeLimit = 2147483648.0;  // Limit of builtin_interfaces/Time, whose seconds are an int32 [s].
 
-// Most pings of a scanning head that its picture shows.
+// Largest number of pings in the picture of a scanning head.
 constexpr std::uint64_t kMostScanned = 4000;
 
 // The frame of sonar images in that of the housing: z along the middle of the fan, y to port, x down. An azimuth of the
@@ -64,8 +64,8 @@ std::vector<Value> values_of(const std::vector<float>& raised, const Display& di
   return values;
 }
 
-// The intensity from which on a value counts as cut: half a step above the brightest one. What is below it is as exact
-// as other values are, such as the brightest ones of a recording that is told again.
+// The intensity above which a value counts as clipped: half a step above the brightest one. Below it, values are as
+// exact as others, such as the brightest ones of a recording that is exported again.
 double lowest_cut(const MessageLevels& levels, int bits) {
   const double half_step = 0.5 / (std::pow(2, bits) - 1);
   const double highest = std::pow(10, levels.high_db / 10);
@@ -84,14 +84,14 @@ struct SonarMessages::State {
   Display display;
   SonarImageFacts facts;
 
-  Ping ping = {};    // Without what no message tells; its intensities as they are ...
+  Ping ping = {};    // Without tables that no message has; its intensities as received ...
   Ping raised = {};  // ... and with the gain over range.
   std::uint64_t time_ns = 0;
   std::uint64_t values = 0, cut = 0;        // Values of all pings, and those above the highest level.
   double loudest = 0;                       // Intensity, raised.
   std::deque<Ping> scanned = {};            // Pings of a scanning sonar's last turn, raised.
   std::optional<double> fan_interval = {};  // Interval of time, counted from time 0, of the last fan picture in a file.
-  bool fan_is_due = true;                   // Whether the ping taken in last has one.
+  bool fan_is_due = true;                   // Whether the current ping has one.
 
   [[nodiscard]] bool scans() const { return source.sonar.type == SonarType::kMechanicallyScanned; }
   [[nodiscard]] MessageHeader header(const std::string& frame) const {
@@ -167,7 +167,7 @@ SonarMessages::SonarMessages(MessageSource source, MessageOptions options, Messa
   const Display display = message_display(source, options);
   display.validate();
   const std::string name = ros_name(source.name.empty() ? source.sonar.name : source.name);
-  const double sound_speed = source.sonar.assumed_sound_speed.value_or(0);  // 0: unknown, as the .msg file has it.
+  const double sound_speed = source.sonar.assumed_sound_speed.value_or(0);  // 0: unknown, as the .msg file says.
   SonarImageFacts facts = image_facts(source.sonar, sound_speed);
   std::vector<MessageChannel> channels = message_channels(name, form, options.raw);
   state_ = std::make_unique<State>(
@@ -272,7 +272,7 @@ std::string SonarMessages::cut_text() const {
   const MessageLevels highest = levels();
   const char* const unit = highest.decibels ? " dB" : "";
   return fmt::format(
-      "{} of {} values of {} are above the highest level, {:.4g}{}, and are cut there; the loudest has {:.4g}{}",
+      "{} of {} values of {} are above the highest level, {:.4g}{}, and are clipped; the loudest has {:.4g}{}",
       state_->cut, state_->values, printable(state_->source.sonar.name),
       highest.decibels ? highest.high_db : std::pow(10, highest.high_db / 10), unit,
       highest.decibels ? 10 * std::log10(state_->loudest) : state_->loudest, unit);

@@ -1,4 +1,4 @@
-// strong_points.cpp -- selects by the level of the last cell that is taken; ties are taken in the order of the table.
+// strong_points.cpp -- selects cells above a level; ties are resolved in table order.
 
 #include "io/message/strong_points.h"
 
@@ -9,7 +9,7 @@
 namespace insonify {
 namespace {
 
-// The level that the strongest share of the cells reach; of all cells with an echo where there are fewer.
+// The level reached by the strongest share of the cells, or by all cells with an echo if there are fewer.
 float threshold_of(std::vector<float> raised, double share) {
   const auto wanted = static_cast<std::size_t>(std::ceil(share * static_cast<double>(raised.size())));
   std::erase_if(raised, [](float value) { return !(value > 0); });

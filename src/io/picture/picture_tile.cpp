@@ -44,7 +44,7 @@ Tile<Eigen::Vector2f> read_normals(const PngReader& png) {
   const Eigen::Vector3d mean = sum / static_cast<double>(normals.texels.size());
   if (mean.z() < 0.5 || mean.head<2>().norm() > mean.z()) {
     throw Error(
-        fmt::format("{}: is no normal map in tangent space: its mean normal is ({:.2f}, {:.2f}, {:.2f}), must "
+        fmt::format("{}: is not a normal map in tangent space: its mean normal is ({:.2f}, {:.2f}, {:.2f}), must "
                     "point out of the surface, (0, 0, 1) or nearly",
                     png.name(), mean.x(), mean.y(), mean.z()));
   }

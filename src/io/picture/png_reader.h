@@ -1,4 +1,4 @@
-// png_reader.h -- the pixels of a PNG file, as they are stored. The only reader of PNG.
+// png_reader.h -- the pixels of a PNG file, as stored. The only PNG reader.
 
 #pragma once
 
@@ -12,8 +12,8 @@
 
 namespace insonify {
 
-/// A decoded PNG file in memory: 8 or 16 bits a channel, palettes and fewer bits widened to 8. Gamma values and colour
-/// profiles in the file are ignored.
+/// A decoded PNG file in memory: 8 or 16 bits per channel, palettes and fewer bits widened to 8. Gamma values and
+/// colour profiles in the file are ignored.
 class PngReader {
  public:
   /// @throws Error with the path for a file that does not exist or is not a complete PNG.
@@ -22,7 +22,7 @@ class PngReader {
   /// @param name  The file's name in messages.
   PngReader(std::string name, std::span<const char> bytes);
 
-  /// The file as messages name it.
+  /// The file name in messages.
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] std::size_t width() const { return width_; }
   [[nodiscard]] std::size_t height() const { return height_; }

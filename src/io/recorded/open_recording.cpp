@@ -22,7 +22,7 @@ namespace {
 void check_sonar(const std::filesystem::path& path, const std::string& wanted, const std::string& found) {
   if (!wanted.empty() && wanted != found) {
     throw Error(fmt::format("{}: has no sonar {}; {}", path.string(), printable(wanted),
-                            found.empty() ? "it does not tell its sonar" : "its sonar is " + printable(found)));
+                            found.empty() ? "it does not name its sonar" : "its sonar is " + printable(found)));
   }
 }
 

@@ -1,4 +1,4 @@
-// open_recording.h -- opens a recording by its format, HDF5 or MCAP, which its first bytes tell.
+// open_recording.h -- opens a recording in the format recognised by its first bytes, HDF5 or MCAP.
 
 #pragma once
 
@@ -9,13 +9,13 @@
 
 namespace insonify {
 
-/// @param sonar  Which one; "" for the only one.
-/// @throws Error with the path for what is no recording, and for a sonar that it does not have.
+/// @param sonar  Name; "" for the only one.
+/// @throws Error with the path for a file that is not a recording, and for an unknown sonar.
 [[nodiscard]] std::unique_ptr<RecordedTables> open_tables(const std::filesystem::path& path,
                                                           const std::string& sonar = "");
 [[nodiscard]] std::unique_ptr<PingReader> open_pings(const std::filesystem::path& path, const std::string& sonar = "");
 
-/// The tables of one sonar, or of all that the file holds.
+/// The tables of one sonar, or of all in the file.
 /// @param sonar  "" for all.
 [[nodiscard]] std::vector<std::unique_ptr<RecordedTables>> open_all_tables(const std::filesystem::path& path,
                                                                            const std::string& sonar);

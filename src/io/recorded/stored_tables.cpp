@@ -14,7 +14,7 @@ namespace insonify {
 struct StoredTables::State {
   std::unique_ptr<RecordedTables> recorded;
   std::vector<StoredTable> tables;
-  std::vector<const RecordedTable*> sources;  // What each is made from.
+  std::vector<const RecordedTable*> sources;  // Source of each.
 };
 
 namespace {

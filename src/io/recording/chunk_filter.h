@@ -9,7 +9,7 @@
 
 namespace insonify {
 
-/// Compresses the chunks of one dataset. Every HDF5 reads what it makes.
+/// Compresses the chunks of one dataset, in a form that every HDF5 library reads.
 class ChunkFilter {
  public:
   /// As in a dataset's filter pipeline: shuffle is filter 0, deflate filter 1.
@@ -22,7 +22,7 @@ class ChunkFilter {
   explicit ChunkFilter(std::size_t element_size);
 
   /// Allocates nothing for as many bytes as before.
-  /// @return  The compressed bytes, until the next call; none where there would be no fewer.
+  /// @return  The compressed bytes, valid until the next call; none if they would not be fewer.
   [[nodiscard]] std::span<const std::byte> compress(std::span<const std::byte> values);
 
  private:

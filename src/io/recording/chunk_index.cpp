@@ -44,7 +44,7 @@ void ChunkIndex::put_key(const Key& key, std::vector<std::byte>& bytes) const {
   }
 }
 
-// Writes the rightmost node of a level to the place that is not in use.
+// Writes the rightmost node of a level to its unused place.
 // @return  That place.
 std::uint64_t ChunkIndex::write(std::size_t level, const Key& last, std::uint64_t& end, FilePieces& pieces) {
   Node& node = nodes_[level];
@@ -83,7 +83,7 @@ void ChunkIndex::add(const Chunk& chunk, std::uint64_t& end, FilePieces& pieces)
     nodes_.emplace_back();
   }
   for (std::size_t level = 0;; ++level) {
-    std::optional<Entry> full;  // The node that was rightmost so far, if it is no longer.
+    std::optional<Entry> full;  // The previous rightmost node, if it has changed.
     if (more && nodes_[level].count == nodes_[level].entries.size()) {
       const std::uint64_t left = nodes_[level].left;
       full = Entry{nodes_[level].entries.front().key, write(level, more->key, end, pieces)};

@@ -1,4 +1,4 @@
-// chunk_index.h -- the index that tells HDF5 where the chunks of a dataset are, as plain bytes to be written.
+// chunk_index.h -- HDF5's index of a dataset's chunks, as plain bytes to write.
 
 #pragma once
 
@@ -18,7 +18,7 @@ struct Chunk {
   std::uint32_t skipped_filters = 0;  ///< Bit n: it did not go through filter n.
 };
 
-/// Bytes, and where in the file they belong.
+/// Bytes and their position in the file.
 struct FilePiece {
   std::uint64_t address = 0;
   std::vector<std::byte> bytes = {};
@@ -50,11 +50,11 @@ class FilePieces {
 /// A version 1 B-tree of chunks that follow each other along the first axis: "HDF5 File Format Specification Version
 /// 2.0", section III.A.1, node type 1. It only grows at its right edge.
 ///
-/// Nodes that a reader may be using are not overwritten by others: each node at the right edge has two places in the
-/// file and its next version goes to the one that is not in use. So what was the tree before add() is still there after
-/// its pieces have been written, and the new tree counts from when the dataset's header has the address of its root.
-/// Once a node is full it stays where it is. Only then do its neighbours point to it: a tree whose last nodes are not
-/// full lacks the links to their right, which searches do not follow; close() completes them.
+/// Nodes that a reader may be using are not overwritten: each node at the right edge has two places in the file, and
+/// its next version goes to the unused one. So the tree from before add() stays intact after the new pieces are
+/// written, and the new tree takes effect when the dataset's header gets the address of its root. A full node no longer
+/// moves. Only then do its neighbours point to it: the last nodes that are not full lack links to their right, which
+/// searches do not follow; close() completes them.
 class ChunkIndex {
  public:
   /// @param shape         Of a chunk: rows, then the values of a row, axis by axis.
@@ -65,18 +65,18 @@ class ChunkIndex {
   [[nodiscard]] std::size_t node_bytes() const;
 
   /// Adds the chunk after the last.
-  /// @param end     Of the file; moves on by the new nodes' places.
-  /// @param pieces  Gains what is to be written before root() counts.
+  /// @param end     End of the file; advances by the new nodes' places.
+  /// @param pieces  Receives the pieces to write before root() takes effect.
   void add(const Chunk& chunk, std::uint64_t& end, FilePieces& pieces);
 
-  /// What completes the links between nodes; nothing is added after that.
+  /// Completes the links between nodes; nothing may be added afterwards.
   void close(FilePieces& pieces) const;
 
   /// Address of the root; all ones while there are no chunks.
   [[nodiscard]] std::uint64_t root() const { return root_; }
 
  private:
-  // Half of what a node holds at most, with superblocks of version 0.
+  // Half of a node's capacity, with superblocks of version 0.
   static constexpr std::size_t kHalfNode = 32;
 
   struct Key {
@@ -94,7 +94,7 @@ class ChunkIndex {
     std::size_t count = 0;
     std::uint64_t left = kNowhere;  // Neighbour.
     std::array<std::uint64_t, 2> places = {kNowhere, kNowhere};
-    int place = 1;  // Where it was last written.
+    int place = 1;  // Place of its last version.
   };
   static constexpr std::uint64_t kNowhere = ~std::uint64_t{0};
 

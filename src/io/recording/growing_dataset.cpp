@@ -5,8 +5,8 @@
 namespace insonify {
 namespace {
 
-// Small rows share a chunk of about this size [bytes]: each chunk costs some fifty bytes of index, and the last one is
-// there whole from its first row on.
+// Small rows share a chunk of about this size [bytes]: each chunk costs some fifty bytes of index, and the last one
+// takes its full size from its first row on.
 constexpr std::uint64_t kSmallChunk = 4096;
 
 // Rows below this are not worth compressing [bytes].

@@ -1,4 +1,4 @@
-// growing_file.cpp -- writes out what HDF5 has made in memory and adds rows, both by plain writes.
+// growing_file.cpp -- writes the file that HDF5 has made in memory and adds rows, both by plain writes.
 
 #include "io/recording/growing_file.h"
 
@@ -56,7 +56,7 @@ GrowingFile::GrowingFile(std::filesystem::path path, const std::vector<GrowingDa
   std::error_code ignored;
   if (std::filesystem::is_regular_file(path_, ignored)) {
     if (!options.replace) {
-      fail(path_, "cannot create: it is there already");
+      fail(path_, "cannot create: it exists already");
     }
     earlier_ = std::make_unique<WriteMark>(path_);
   }
@@ -104,8 +104,8 @@ GrowingFile::~GrowingFile() {
 
 GrowingFile::GrowingFile(GrowingFile&& other) noexcept = default;
 
-// Finds what tells the length and the index of each dataset, and makes sure that it is what we take it for and lies in
-// one page.
+// Finds the fields with the length and the index of each dataset, and checks their values and that they lie in one
+// page.
 void GrowingFile::find_fields(std::span<const std::byte> image, std::span<const std::uint64_t> headers) {
   std::uint64_t first = ~std::uint64_t{0};
   std::uint64_t last = 0;
@@ -157,22 +157,22 @@ bool GrowingFile::write_pieces() const {
   });
 }
 
-// Makes the file end there, for the system and for HDF5: it never ends before HDF5 is told that it does.
+// Sets the end of the file, for the system and for HDF5: the file is never shorter than HDF5's end field says.
 bool GrowingFile::set_end(std::uint64_t end) {
-  const auto tell_system = [&] { return ftruncate(out_->descriptor(), static_cast<off_t>(end)) == 0; };
-  const auto tell_hdf5 = [&] {
+  const auto truncate_file = [&] { return ftruncate(out_->descriptor(), static_cast<off_t>(end)) == 0; };
+  const auto write_end_field = [&] {
     return write_at(out_->descriptor(), kEndOfFileField, std::as_bytes(std::span(&end, 1)));
   };
-  if (!(end > reserved_ ? tell_system() && tell_hdf5() : tell_hdf5() && tell_system())) {
+  if (!(end > reserved_ ? truncate_file() && write_end_field() : write_end_field() && truncate_file())) {
     return false;
   }
   reserved_ = end;
   return true;
 }
 
-// Lets the file end at least one row after `end`, or there if there is no room for more. HDF5 reads where a file ends
-// when it opens it, and looks for the rows a moment later: by then there may be one more, which it must find before the
-// end. Until it is written to, the rest takes no room on the disk.
+// Ends the file at least one row after `end`, or there if the disk has no more room. HDF5 reads the end of a file when
+// it opens it, and looks for the rows a moment later: by then there may be one more, which must lie before that end.
+// The unwritten rest takes no space on disk.
 bool GrowingFile::reserve(std::uint64_t end) {
   constexpr std::uint64_t kRowsAhead = 3;
   constexpr std::uint64_t kNodes = 4;  // New places of an index with one row more: two on each level that is split.
@@ -228,7 +228,7 @@ bool GrowingFile::write_row(std::span<const std::span<const std::byte>> rows, st
 
 void GrowingFile::check_is_there() const {
   if (!is_still_there(out_->descriptor(), absolute_)) {
-    fail(path_, "is no longer there: it was removed, moved or replaced while it was being written");
+    fail(path_, "no longer exists: it was removed, moved or replaced while it was being written");
   }
 }
 
@@ -258,11 +258,11 @@ void GrowingFile::append(std::span<const std::span<const std::byte>> rows) {
   }
   end_ = end;
   ++count_;
-  state_ = GrowingState::kWhole;  // There may be room again.
+  state_ = GrowingState::kWhole;  // The disk may have room again.
 }
 
-// Completes the indices, lets the file end where it does, says so in it and has the system store everything.
-// @return  Whether it did; else errno tells why not.
+// Completes the indices, trims the file, writes its state and flushes it to disk.
+// @return  Whether it succeeded; else errno is the reason.
 bool GrowingFile::finish() {
   pieces_.clear();
   for (const Growth& growth : growths_) {

@@ -26,44 +26,44 @@ namespace insonify {
 
 struct GrowingFileOptions {
   int threads = 1;       ///< Threads that compress rows; 0 for as many as there are processors.
-  bool replace = false;  ///< Whether a file may be there already.
+  bool replace = false;  ///< Whether an existing file is replaced.
 };
 
 /// Datasets of one length in one file; a row of each is a ping. HDF5 makes the file in memory, without rows. From then
-/// on plain writes do: of that file, of rows and of the index that says where they are, and of a few bytes that make
-/// each new row a part of every dataset at once. So a process that is killed at any moment leaves a file that opens as
-/// usual and holds every row whose append() had returned, and no half rows (docs/design/recording.md).
+/// on plain writes suffice: of that file, of rows and their index, and of a few bytes that append a new row to every
+/// dataset at once. So a process killed at any moment leaves a readable file with every row whose append() had
+/// returned, and no partial rows (docs/design/recording.md).
 ///
-/// The file is as large as the rows that it holds; while it grows it ends a few rows later, in a hole.
+/// The file is as large as its rows; while it grows it ends a few rows later, in a hole.
 ///
-/// It is made beside `path`, as an UnfinishedFile. If nothing is at `path`, it goes there as soon as it is ready for
-/// its first row, so that it can be read while it grows. A file that is there already stays until close(), which puts
-/// the new one in its place; without close() the new one stays beside it if it has rows.
+/// It is made as an UnfinishedFile beside `path`, and renamed as soon as it is ready for its first row if there is no
+/// file at `path`, so that it can be read while it grows. An existing file stays until close() replaces it; without
+/// close() the new one stays beside it if it has rows.
 class GrowingFile {
  public:
-  /// Until it is closed no other GrowingFile can take its place (file_lock.h).
-  /// @param describe  Called with the open file to add whatever does not grow.
-  /// @throws Error with the path when the file cannot be made, or is there and may not be replaced.
+  /// Until it is closed no other GrowingFile can replace it (file_lock.h).
+  /// @param describe  Called with the open file to add everything that does not grow.
+  /// @throws Error with the path if the file cannot be made, or exists and may not be replaced.
   GrowingFile(std::filesystem::path path, const std::vector<GrowingDataset>& datasets,
               const std::function<void(hid_t file)>& describe, const GrowingFileOptions& options = {});
-  /// Closes without reporting errors and without replacing an earlier file.
+  /// Closes without reporting errors and without replacing an existing file.
   ~GrowingFile();
   GrowingFile(GrowingFile&& other) noexcept;
   GrowingFile& operator=(GrowingFile&&) = delete;
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
-  /// Where the file is now: path(), or beside it until it replaces an earlier file.
+  /// Current path of the file: path(), or a file beside it until it replaces an existing one.
   [[nodiscard]] const std::filesystem::path& place() const { return is_beside() ? out_->unfinished() : path_; }
   [[nodiscard]] std::uint64_t count() const { return count_; }
 
-  /// Adds one row to every dataset. `rows` has one entry a dataset, in their order, each of row_bytes().
-  /// @throws Error when the disk is full: the file then is what it was before; and when somebody has removed, replaced
+  /// Adds one row to every dataset. `rows` has one entry per dataset, in order, each of row_bytes().
+  /// @throws Error if the disk is full (the file is then unchanged), and if somebody has removed, replaced
   /// or moved the file.
   void append(std::span<const std::span<const std::byte>> rows);
 
-  /// Has the system put everything on the disk, puts the file in its place and closes it; nothing more can be added.
-  /// @throws Error when the system could not, or when the file is no longer there.
+  /// Flushes everything to disk, renames the file to its final path and closes it; nothing can be added afterwards.
+  /// @throws Error for a failure of the system, or if the file no longer exists.
   void close();
 
  private:
@@ -90,7 +90,7 @@ class GrowingFile {
   [[nodiscard]] bool write_pieces() const;
   [[nodiscard]] bool finish();
 
-  std::filesystem::path path_, absolute_;  // As it was given; absolute path of where the file is.
+  std::filesystem::path path_, absolute_;  // As given; absolute path of the file.
   std::unique_ptr<UnfinishedFile> out_;    // Null when closed.
   std::unique_ptr<WriteMark> earlier_;     // On the file that is to be replaced; null if there was none.
   std::vector<Growth> growths_;
@@ -103,7 +103,7 @@ class GrowingFile {
 
   FilePieces pieces_;                    // Nodes of indices that are to be written.
   std::uint64_t fields_begin_ = 0;       // In the file, of ...
-  std::vector<std::byte> fields_bytes_;  // ... the bytes from the first field to the last, as they are there.
+  std::vector<std::byte> fields_bytes_;  // ... the bytes in the file from the first field to the last.
 };
 
 }  // namespace insonify

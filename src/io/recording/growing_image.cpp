@@ -11,8 +11,8 @@
 namespace insonify {
 namespace {
 
-// Where HDF5 keeps its own structures it keeps them together, in blocks of this size [bytes]; the first block holds all
-// that has to share a page. Memory for the file grows by as much.
+// HDF5 keeps its own structures together in blocks of this size [bytes]; the first block holds all that must share a
+// page. Memory for the file grows by the same amount.
 constexpr hsize_t kMetadataBlock = 65536;
 
 // Half the entries of a node of a group's tree: small ones, the root's comes before the datasets' headers.
@@ -33,7 +33,7 @@ H5Handle growing_layout(const GrowingDataset& dataset, const std::filesystem::pa
   return layout;
 }
 
-// Not yet in any group: the headers lie side by side, with nothing of the group's between them.
+// Not in a group yet: the headers are adjacent, without the group's structures between them.
 H5Handle create_dataset(hid_t file, const GrowingDataset& dataset, const std::filesystem::path& path) {
   std::vector<hsize_t> shape{0}, most{H5S_UNLIMITED};
   shape.insert(shape.end(), dataset.row.begin(), dataset.row.end());
@@ -45,7 +45,7 @@ H5Handle create_dataset(hid_t file, const GrowingDataset& dataset, const std::fi
                 "create /" + dataset.name);
 }
 
-// An object that is in no group, of the given length and the 8 bytes' multiple that HDF5 needs besides.
+// An object in no group, of the given length plus HDF5's overhead in multiples of 8 bytes.
 H5Handle create_filler(hid_t file, hsize_t length, const std::filesystem::path& path) {
   const H5Handle layout = h5_own(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, path, "create");
   h5_check(H5Pset_layout(layout.get(), H5D_COMPACT), path, "create");
@@ -55,7 +55,7 @@ H5Handle create_filler(hid_t file, hsize_t length, const std::filesystem::path& 
                 "create");
 }
 
-// Fills what is left of a page, so that what comes next has one to itself: room for 15 datasets' headers. The fillers
+// Fills the rest of a page, so that the next objects have one to themselves: room for 15 datasets' headers. The fillers
 // must stay open until then.
 std::vector<H5Handle> fill_page(hid_t file, const std::filesystem::path& path) {
   constexpr hsize_t kLeast = 8;
@@ -69,7 +69,7 @@ std::vector<H5Handle> fill_page(hid_t file, const std::filesystem::path& path) {
   return fillers;
 }
 
-// What no other 8 bytes of a file are.
+// A value that no other 8 bytes of a file have.
 constexpr std::uint64_t kStateMark = 0xd1ce'5a7e'0f17'b1e5;
 
 void create_state(hid_t file, const std::filesystem::path& path) {
@@ -80,7 +80,7 @@ void create_state(hid_t file, const std::filesystem::path& path) {
   h5_check(H5Awrite(attribute.get(), H5T_NATIVE_UINT64, &kStateMark), path, "create");
 }
 
-// Where the state lies; its value becomes kGrowing.
+// Position of the state; its value becomes kGrowing.
 std::uint64_t find_state(std::vector<std::byte>& image, const std::filesystem::path& path) {
   const auto mark = std::as_bytes(std::span(&kStateMark, 1));
   const auto found = std::ranges::search(image, mark);
@@ -107,7 +107,7 @@ GrowingImage make_growing_image(const std::filesystem::path& path, std::span<con
   h5_check(H5Pset_fclose_degree(access.get(), H5F_CLOSE_STRONG), path, "create");
   constexpr bool kOnDisk = false;
   h5_check(H5Pset_fapl_core(access.get(), kMetadataBlock, kOnDisk), path, "create");
-  // No file can have this name: one that has is read whole, even to be made anew.
+  // No file can have this name: HDF5 would read an existing one completely, even to overwrite it.
   constexpr const char* kNowhere = "/dev/null/recording";
   const H5Handle creation = h5_own(H5Pcreate(H5P_FILE_CREATE), H5Pclose, path, "create");
   h5_check(H5Pset_sym_k(creation.get(), kHalfTreeNode, 0), path, "create");

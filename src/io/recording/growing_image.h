@@ -25,7 +25,7 @@ inline constexpr const char* kStateAttribute = "state";
 enum class GrowingState : std::uint64_t {
   kGrowing = 0,  ///< It is being written, or what wrote it was killed.
   kWhole = 1,
-  kCutShort = 2  ///< A row could not be written, the disk being full; those before it are there.
+  kCutShort = 2  ///< A row could not be written to a full disk; the rows before it are complete.
 };
 
 struct GrowingImage {

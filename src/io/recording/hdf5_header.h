@@ -1,4 +1,4 @@
-// hdf5_header.h -- where an HDF5 file keeps the length of a dataset.
+// hdf5_header.h -- finds the length of a dataset in an HDF5 file.
 
 #pragma once
 
@@ -19,7 +19,7 @@ struct GrowthFields {
 /// object header prefix), IV.A.2.b (dataspace message, version 1) and IV.A.2.i (data layout message, version 3).
 /// @param file     The bytes of the file from its start.
 /// @param address  Of the object header [bytes].
-/// @return         Zeros where the header is of another kind.
+/// @return         Zeros if the header is of another kind.
 [[nodiscard]] GrowthFields find_growth_fields(std::span<const std::byte> file, std::uint64_t address);
 
 }  // namespace insonify

@@ -36,7 +36,7 @@ nlohmann::json number_of(double value) {
   return std::isinf(value) ? nlohmann::json(value > 0 ? "inf" : "-inf") : nlohmann::json(value);
 }
 
-// Whatever small thing has a type and a space, as JSON: a text, a number, a truth value or lists of those.
+// The value of a small object with a type and a space, as JSON: a text, a number, a truth value or lists of those.
 nlohmann::json json_of(hid_t type_id, const H5Handle& space, const std::function<void(hid_t, void*)>& read) {
   const std::vector<hsize_t> shape = hdf5_shape(space.get());
   if (!product_is_at_most(shape, kMostValues)) {

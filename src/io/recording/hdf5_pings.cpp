@@ -1,4 +1,4 @@
-// hdf5_pings.cpp -- reads the intensities of an HDF5 recording, a ping at a time.
+// hdf5_pings.cpp -- reads the intensities of an HDF5 recording, one ping at a time.
 
 #include "io/recording/hdf5_pings.h"
 
@@ -27,7 +27,7 @@ H5Handle open_file(const std::filesystem::path& path) {
 
 H5Handle open_dataset(hid_t file, const std::filesystem::path& path) {
   if (H5Lexists(file, kDataset, H5P_DEFAULT) <= 0) {
-    throw Error(fmt::format("{}: is no recording: it has no dataset intensity", path.string()));
+    throw Error(fmt::format("{}: is not a recording: it has no dataset intensity", path.string()));
   }
   check_object(file, kDataset, path);
   return h5_own(H5Dopen2(file, kDataset, H5P_DEFAULT), H5Dclose, path, "open intensity");
@@ -63,7 +63,7 @@ double full_scale_of(hid_t dataset, const std::filesystem::path& path) {
   return std::ldexp(1, static_cast<int>(H5Tget_precision(type.get())) - sign) - 1;
 }
 
-// Text of variable or of fixed length; "" where there is none.
+// Text of variable or fixed length; "" if there is none.
 std::string text_attribute(hid_t file, const char* name, const std::filesystem::path& path) {
   if (H5Aexists(file, name) <= 0) {
     return "";

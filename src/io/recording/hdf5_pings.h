@@ -1,4 +1,4 @@
-// hdf5_pings.h -- the pings of an HDF5 file with a dataset `intensity`, also one of another program.
+// hdf5_pings.h -- the pings of an HDF5 file with a dataset `intensity`, also from other programs.
 
 #pragma once
 

@@ -66,7 +66,7 @@ Hdf5Tables::Hdf5Tables(const std::filesystem::path& path) : RecordedTables(path)
   check_input_file(path);
   file_ = h5_open_recording(path);
   if (h5_check(H5Lexists(file_.get(), "intensity", H5P_DEFAULT), path, "find intensity") == 0) {
-    throw Error(fmt::format("{}: is no recording: it has no dataset intensity", path.string()));
+    throw Error(fmt::format("{}: is not a recording: it has no dataset intensity", path.string()));
   }
   attributes_ = hdf5_attributes_json(file_.get(), path, "the file");
   if (const auto state = attributes_.find(kStateAttribute); state != attributes_.end()) {
@@ -85,7 +85,7 @@ Hdf5Tables::Hdf5Tables(const std::filesystem::path& path) : RecordedTables(path)
 
 void Hdf5Tables::add_table(const std::string& name) {
   if (name == "." || name == "..") {
-    throw Error(fmt::format("{}: is no recording: it has a dataset called {}", path_.string(), name));
+    throw Error(fmt::format("{}: is not a recording: it has a dataset called {}", path_.string(), name));
   }
   check_object(file_.get(), name, path_);
   const H5Handle object =
@@ -116,7 +116,7 @@ void Hdf5Tables::add_table(const std::string& name) {
   if (std::vector<hsize_t> row = shape; !row.empty()) {
     row.front() = 1;
     if (!product_is_at_most(row, kMostBytes / table.value_bytes) || (shape.size() == 1 && shape.front() > kMostBytes)) {
-      throw Error(fmt::format("{}: is no recording: a row of {} is too large", path_.string(), name));
+      throw Error(fmt::format("{}: is not a recording: a row of {} is too large", path_.string(), name));
     }
   }
   table.notes = hdf5_attributes_json(dataset.get(), path_, name);

@@ -1,4 +1,4 @@
-// hdf5_tables.h -- everything that an HDF5 recording holds at its root: tables, lists of names, attributes, settings.
+// hdf5_tables.h -- all contents at the root of an HDF5 recording: tables, lists of names, attributes, settings.
 
 #pragma once
 
@@ -18,8 +18,8 @@ class Hdf5Tables : public RecordedTables {
   void read(const RecordedTable& table, NumberType type, std::span<const TableSlice> slices,
             std::span<std::byte> bytes) const override;
 
-  /// State of a file by a version of insonify that writes it: see GrowingState. attributes() does not have it, for it
-  /// is not of the run.
+  /// State of the file, see GrowingState; absent in files of old versions. Not in attributes(), since it does not
+  /// describe the run.
   [[nodiscard]] std::optional<GrowingState> state() const { return state_; }
 
  private:

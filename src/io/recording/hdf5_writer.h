@@ -1,4 +1,4 @@
-// hdf5_writer.h -- puts numbers, words and tables into an HDF5 file, each with its unit and a sentence about it.
+// hdf5_writer.h -- writes numbers, words and tables into an HDF5 file, each with its unit and description.
 
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace insonify {
 
-/// What is written beside a dataset, as attributes `units` (left out where empty) and `description`.
+/// Attributes of a dataset: `units` (omitted if empty) and `description`.
 struct H5Note {
   std::string_view units;
   std::string_view description;

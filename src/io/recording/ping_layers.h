@@ -1,4 +1,4 @@
-// ping_layers.h -- the tables of a ping that have a value for each bin, as recordings hold them.
+// ping_layers.h -- the tables of a ping with a value for each bin, as stored in recordings.
 
 #pragma once
 
@@ -32,7 +32,7 @@ struct PingLayer {
 
 inline constexpr std::size_t kMostPingLayers = 12;
 
-/// Those of a sonar's recording, in order; at most kMostPingLayers.
+/// Tables of a sonar's recording, in order; at most kMostPingLayers.
 [[nodiscard]] std::vector<PingLayer> ping_layers(const Scenario& scenario, const SonarConfig& sonar);
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// put_settings.cpp -- settings by the lists of fields and parts of the configurations; what is absent is left out.
+// put_settings.cpp -- writes settings from the configurations' lists of fields and parts; absent ones are omitted.
 
 #include "io/recording/put_settings.h"
 
@@ -17,7 +17,7 @@ H5Note note_of(const Field& field) {
   return {field.unit.empty() ? "1" : field.unit, field.help};
 }
 
-// A value as a dataset holds it: words and paths as text, whole numbers in 64 bits.
+// A value for a dataset: words and paths as text, whole numbers in 64 bits.
 template <typename Member>
 auto stored(const Member& member) {
   if constexpr (std::is_enum_v<Member>) {
@@ -54,7 +54,7 @@ void put_member(const H5Writer& writer, const std::string& name, const Field& fi
   }
 }
 
-// One field of several configurations of a kind, a row for each of them: numbers, whole numbers or texts.
+// One field of several configurations of one type, a row for each: numbers, whole numbers or texts.
 struct Column {
   std::vector<double> numbers = {};  // Three in a row for a vector.
   std::vector<std::uint64_t> whole = {};

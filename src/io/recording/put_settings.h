@@ -7,9 +7,9 @@
 
 namespace insonify {
 
-/// Writes `settings/...` by the lists of fields and parts of Scenario: `settings/pings`, `settings/water/salinity`; of
-/// a list or map of structs, such as `points`, one dataset a field with a row for each entry. Of the sonars and the
-/// waters, `sonar`'s own. `settings/materials` are the scene's, with the numbers that were used.
+/// Writes `settings/...` from Scenario's lists of fields and parts: `settings/pings`, `settings/water/salinity`; for a
+/// list or map of structs, such as `points`, one dataset per field with a row for each entry. Sonar and water are those
+/// of `sonar`. `settings/materials` are the scene's, with the numbers used.
 void put_settings(const H5Writer& writer, const Scenario& scenario, const Scene& scene, const SonarConfig& sonar);
 
 }  // namespace insonify

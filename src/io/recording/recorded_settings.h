@@ -1,4 +1,4 @@
-// recorded_settings.h -- reads the settings that a recording was made with back from its HDF5 file.
+// recorded_settings.h -- reads the settings of a recording from its HDF5 file.
 
 #pragma once
 
@@ -17,8 +17,8 @@
 
 namespace insonify {
 
-/// Reads datasets of one file by their path. Each function throws Error with the file's path for a dataset of another
-/// kind, and gives nothing for one that is missing.
+/// Reads datasets of one file by their path. Each function throws Error with the file's path for a dataset of the wrong
+/// type, and returns nothing for a missing one.
 class H5Settings {
  public:
   H5Settings(hid_t file, std::filesystem::path path);
@@ -29,7 +29,7 @@ class H5Settings {
   /// Numbers of any type, truth values as 0 and 1; a single number is a vector of one.
   [[nodiscard]] std::optional<std::vector<double>> numbers(const std::string& name) const;
 
-  /// @throws Error: the dataset holds something else than what it should.
+  /// @throws Error: the dataset has the wrong contents.
   [[noreturn]] void fail(const std::string& name, const std::string& what) const;
 
  private:
@@ -37,7 +37,7 @@ class H5Settings {
   std::filesystem::path path_;
 };
 
-/// Sets one member of a configuration, whatever its type; leaves it alone where the file does not have it.
+/// Sets one member of a configuration of any type; unchanged if the file does not have it.
 template <typename Member>
 void read_member(const H5Settings& settings, const std::string& name, Member& member) {
   if constexpr (std::is_enum_v<Member>) {
@@ -87,7 +87,7 @@ void read_member(const H5Settings& settings, const std::string& name, Member& me
 }
 
 /// Reads a configuration from a group of datasets named after its fields.
-/// @throws Error where there is no such group.
+/// @throws Error if there is no such group.
 template <typename Config>
 Config read_settings(const H5Settings& settings, const std::string& group) {
   if (!settings.has(group)) {

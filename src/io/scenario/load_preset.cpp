@@ -17,7 +17,7 @@ namespace {
 
 using Kind = YamlValue::Kind;
 
-constexpr double kReferenceSoundSpeed = 1500;  // [m/s], that the presets' own ranges and rates are told for.
+constexpr double kReferenceSoundSpeed = 1500;  // Of the presets' ranges and rates [m/s].
 
 YamlValue preset_tree(const std::filesystem::path& file) {
   YamlValue tree = parse_yaml(read_text(file), file.string());
@@ -167,7 +167,7 @@ void fill_in_counts(Preset& preset) {
 std::vector<std::string> preset_names() {
   std::set<std::string> names;
   for (const std::filesystem::path& folder : preset_folders()) {
-    std::error_code ignored;  // A folder that is not there holds no presets.
+    std::error_code ignored;  // A missing folder holds no presets.
     for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
       if (entry.path().extension() == ".yaml") {
         names.insert(entry.path().stem().string());
@@ -228,7 +228,7 @@ Preset load_preset(const std::string& name, const std::string& mode) {
   }
   with_place({preset.file.string(), 1, 1}, [&] { check_pulse_table(preset); });
   fill_in_counts(preset);
-  preset.sonar.model = preset.title;  // Not its mode: the frequency stands beside it.
+  preset.sonar.model = preset.title;  // Without its mode: titles show the frequency too.
   preset.fit_to_range(preset.sonar, kReferenceSoundSpeed);
   with_place({preset.file.string(), 1, 1}, [&] { preset.sonar.validate(name); });
   return preset;

@@ -66,12 +66,12 @@ class ScenarioReader {
       refuse_missing_world();
     }
     validate();
-    refuse_missing_world();  // After wrong values: a sonar may be tried out in a text without a world.
+    refuse_missing_world();  // After checking values: a sonar may be tried out in a text without a world.
     return std::move(scenario_);
   }
 
  private:
-  // Whether there is something to hear without a world: points or a surface.
+  // Whether there are echoes without a world: points or a surface.
   [[nodiscard]] bool open_water() const {
     const YamlValue *points = tree_.find("points"), *surface = tree_.find("surface");
     return (points != nullptr && !points->items.empty()) || (surface != nullptr && surface->kind != Kind::kNothing);
@@ -88,7 +88,7 @@ class ScenarioReader {
     }
   }
 
-  // In a file even `pings: 1` says something.
+  // In a file even `pings: 1` is a choice.
   void refuse_second_length() const {
     const YamlValue* pings = tree_.find("pings");
     for (const char* key : {"duration", "turns"}) {
@@ -113,7 +113,8 @@ class ScenarioReader {
     scenario_.world = std::filesystem::absolute(folder / scenario_.world).lexically_normal();
     std::error_code ignored;
     if (!std::filesystem::exists(scenario_.world, ignored)) {
-      throw Error("", "world", fmt::format(" = {} is not there: no file {}", given->shown(), scenario_.world.string()))
+      throw Error("", "world",
+                  fmt::format(" = {} does not exist: no file {}", given->shown(), scenario_.world.string()))
           .at(given->place);
     }
   }
@@ -159,8 +160,8 @@ class ScenarioReader {
   Scenario scenario_;
 };
 
-// @param path  Its folder is where relative paths are from.
-// @param name  What messages call the text.
+// @param path  Its folder is the base of relative paths.
+// @param name  Name of the text in messages.
 Scenario read_scenario(const std::string& text, const std::filesystem::path& path, const std::string& name,
                        std::span<const std::string> settings, const Log& log) {
   YamlValue tree = parse_yaml(text, name);

@@ -65,7 +65,7 @@ class TrajectoryReader {
       columns_ = kTumColumns;
     }
     std::string_view rest = text_;
-    if (rest.starts_with("\xef\xbb\xbf")) {  // The mark that some programs put before UTF-8.
+    if (rest.starts_with("\xef\xbb\xbf")) {  // Byte-order mark.
       rest.remove_prefix(3);
     }
     while (!rest.empty()) {

@@ -1,4 +1,4 @@
-// odd_settings.cpp -- conditions under which keys act, and checks of levels and times that are possible but odd.
+// odd_settings.cpp -- conditions under which keys act, and checks of levels and times that are valid but unlikely.
 
 #include "io/scenario/odd_settings.h"
 
@@ -15,7 +15,7 @@
 namespace insonify {
 namespace {
 
-// A sonar and the receiver that it has.
+// A sonar and its receiver.
 struct Received {
   const SonarConfig& sonar;
   const ReceiverConfig& receiver;
@@ -103,9 +103,9 @@ constexpr std::array<Condition, 3> kOfMaterial = {
 constexpr std::array<Condition, 1> kOfScenario = {
     {{"thrusters", [](const Received& r) { return r.receiver.noise; }, "receiver.noise is true"}}};
 
-// Adds a line for each key given of `object` that acts in none of those that have it.
-void tell_of(const Places& places, const std::string& object, std::span<const Condition> conditions,
-             std::span<const Received> having_it, std::vector<std::string>& lines) {
+// Adds a line for each given key of `object` that acts in none of the sonars.
+void add_idle_keys(const Places& places, const std::string& object, std::span<const Condition> conditions,
+                   std::span<const Received> having_it, std::vector<std::string>& lines) {
   for (const Condition& condition : conditions) {
     const std::string name = member_name(object, condition.key);
     const auto given = places.find(name);
@@ -116,21 +116,21 @@ void tell_of(const Places& places, const std::string& object, std::span<const Co
   }
 }
 
-// Adds a line if a key is given, although what it needs is not there.
+// Adds a line if a key is given but not the setting that it needs.
 // @param text  Completes "has no effect ".
-void tell_if_given(const Places& places, const std::string& name, std::string_view text,
-                   std::vector<std::string>& lines) {
+void add_if_given(const Places& places, const std::string& name, std::string_view text,
+                  std::vector<std::string>& lines) {
   if (const auto given = places.find(name); given != places.end()) {
     lines.push_back(fmt::format("{}{} has no effect {}", given->second.text(), name, text));
   }
 }
 
 // Keys of the scenario's parts that act only beside another key of the same part.
-void tell_of_parts(const Scenario& scenario, std::vector<std::string>& lines) {
+void check_parts(const Scenario& scenario, std::vector<std::string>& lines) {
   for (std::size_t i = 0; i < scenario.thrusters.size(); ++i) {
     if (!(scenario.thrusters[i].blade_rate > 0)) {
-      tell_if_given(scenario.places, fmt::format("thrusters[{}].blade_phase_deg", i), "unless blade_rate is given",
-                    lines);
+      add_if_given(scenario.places, fmt::format("thrusters[{}].blade_phase_deg", i), "unless blade_rate is given",
+                   lines);
     }
   }
   // Overrides that name no material of the library start from the default one, which may have clutter.
@@ -139,8 +139,8 @@ void tell_of_parts(const Scenario& scenario, std::vector<std::string>& lines) {
       by_default != scenario.materials.overrides.end() && by_default->second.clutter_shape.has_value();
   for (const auto& [name, material] : scenario.materials.overrides) {
     if (material.clutter_length && !material.clutter_shape && !(default_has_clutter && material.like.empty())) {
-      tell_if_given(scenario.places, fmt::format("materials.{}.clutter_length", name), "unless clutter_shape is given",
-                    lines);
+      add_if_given(scenario.places, fmt::format("materials.{}.clutter_length", name), "unless clutter_shape is given",
+                   lines);
     }
   }
 }
@@ -152,8 +152,8 @@ std::string located_text(const Scenario& scenario, const Error& about) {
 
 // Adds a line if sources are above the water's surface, which hides them from the sonars below it.
 template <typename Source>
-void tell_of_heights(const Scenario& scenario, std::string_view list, const std::vector<Source>& sources,
-                     std::vector<std::string>& lines) {
+void check_heights(const Scenario& scenario, std::string_view list, const std::vector<Source>& sources,
+                   std::vector<std::string>& lines) {
   const auto is_above = [&](const Source& source) { return source.position.z() > scenario.surface->level; };
   const auto first = std::ranges::find_if(sources, is_above);
   if (first == sources.end()) {
@@ -164,14 +164,14 @@ void tell_of_heights(const Scenario& scenario, std::string_view list, const std:
       scenario,
       Error(fmt::format("{}[{}]", list, first - sources.begin()), "position[2]",
             fmt::format(
-                " = {:.7g} m is above surface.level = {:.7g} m, so that it is not heard{}", first->position.z(),
+                " = {:.7g} m is above surface.level = {:.7g} m, so that it is not received{}", first->position.z(),
                 scenario.surface->level,
                 others > 0 ? fmt::format(", nor {}", counted(static_cast<std::uint64_t>(others), "other")) : ""))));
 }
 
 // Adds a line if a sonar's pulse is longer than the time from its transmission to the last echo.
-void tell_of_pulse(const Scenario& scenario, const std::string& object, const Received& with,
-                   std::vector<std::string>& lines) {
+void check_pulse(const Scenario& scenario, const std::string& object, const Received& with,
+                 std::vector<std::string>& lines) {
   const double speed = with.sonar.assumed_sound_speed.value_or(scenario.water_at(with.sonar).true_sound_speed());
   const double listening = with.sonar.shortest_ping_period(speed);
   if (with.pulse.kind == PulseKind::kNone || with.pulse.duration <= listening) {
@@ -188,30 +188,31 @@ void tell_of_pulse(const Scenario& scenario, const std::string& object, const Re
 }
 
 // Adds the lines about settings of the calibrated model.
-void tell_of_calibrated(const Scenario& scenario, std::vector<std::string>& lines) {
-  std::vector<Received> all;  // Each receiver of a sonar's own starts from the common one.
+void check_calibrated(const Scenario& scenario, std::vector<std::string>& lines) {
+  std::vector<Received> all;  // A sonar's own receiver starts from the common one.
   for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
     const SonarConfig& sonar = scenario.sonars[i];
     const Received with{.sonar = sonar, .receiver = scenario.receiver_of(sonar)};
     const std::string object = fmt::format("sonars[{}]", i);
-    tell_of(scenario.places, object, kOfSonar, {&with, 1}, lines);
+    add_idle_keys(scenario.places, object, kOfSonar, {&with, 1}, lines);
     if (sonar.receiver) {
-      tell_of(scenario.places, object + ".receiver", kOfReceiver, {&with, 1}, lines);
+      add_idle_keys(scenario.places, object + ".receiver", kOfReceiver, {&with, 1}, lines);
     }
-    tell_of_pulse(scenario, object, with, lines);
+    check_pulse(scenario, object, with, lines);
     all.push_back(with);
   }
-  tell_of(scenario.places, "receiver", kOfReceiver, all, lines);
-  tell_of(scenario.places, "", kOfScenario, all, lines);
+  add_idle_keys(scenario.places, "receiver", kOfReceiver, all, lines);
+  add_idle_keys(scenario.places, "", kOfScenario, all, lines);
   if (scenario.mutual_interference && scenario.sonars.size() < 2) {
-    tell_if_given(scenario.places, "mutual_interference", "unless there are several sonars", lines);
+    add_if_given(scenario.places, "mutual_interference", "unless there are several sonars", lines);
   }
-  visit_entries("materials", scenario.materials.overrides,
-                [&](const std::string& name, const auto&) { tell_of(scenario.places, name, kOfMaterial, all, lines); });
-  tell_of_parts(scenario, lines);
+  visit_entries("materials", scenario.materials.overrides, [&](const std::string& name, const auto&) {
+    add_idle_keys(scenario.places, name, kOfMaterial, all, lines);
+  });
+  check_parts(scenario, lines);
   if (scenario.surface) {
-    tell_of_heights(scenario, "points", scenario.points, lines);
-    tell_of_heights(scenario, "interferers", scenario.interferers, lines);
+    check_heights(scenario, "points", scenario.points, lines);
+    check_heights(scenario, "interferers", scenario.interferers, lines);
   }
 }
 
@@ -220,11 +221,11 @@ void tell_of_calibrated(const Scenario& scenario, std::vector<std::string>& line
 std::vector<std::string> odd_settings(const Scenario& scenario) {
   std::vector<std::string> lines;
   if (scenario.surface) {
-    tell_if_given(scenario.places, "water.depth", "beside surface: each sonar's depth is that below surface.level",
-                  lines);
+    add_if_given(scenario.places, "water.depth", "beside surface: each sonar's depth is that below surface.level",
+                 lines);
   }
   if (scenario.model == EchoModel::kCalibrated) {
-    tell_of_calibrated(scenario, lines);
+    check_calibrated(scenario, lines);
   }
   return lines;
 }

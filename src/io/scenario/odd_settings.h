@@ -1,4 +1,4 @@
-// odd_settings.h -- finds settings of a file that other settings keep from acting, and pulses that outlast a ping.
+// odd_settings.h -- finds settings without effect beside others, and pulses that outlast a ping.
 
 #pragma once
 
@@ -9,9 +9,9 @@
 
 namespace insonify {
 
-/// A line for each setting that can hardly be meant: a key that another setting keeps from acting ("a.yaml:3:5:
-/// receiver.pulse_bandwidth has no effect unless pulse is lfm"), a source above the water's surface, a pulse that is
-/// longer than its ping. They may be there: a file can be meant for --set.
+/// A line for each setting that is probably a mistake: a key without effect beside other settings ("a.yaml:3:5:
+/// receiver.pulse_bandwidth has no effect unless pulse is lfm"), a source above the water's surface, a pulse longer
+/// than its ping. These are not errors: a file can be meant for --set.
 /// @param scenario  Valid, with the places of what was read.
 [[nodiscard]] std::vector<std::string> odd_settings(const Scenario& scenario);
 

@@ -8,7 +8,7 @@
 
 namespace insonify {
 
-/// Stands in files only: a SonarConfig has the preset's numbers.
+/// Used in files only: a SonarConfig has the preset's numbers.
 struct PresetChoice {
   std::string preset = {}, mode = {};
 

@@ -15,8 +15,8 @@
 namespace insonify {
 namespace {
 
-// An installed library lies in PREFIX/lib, its presets in PREFIX/share; the way from one to the other is fixed, PREFIX
-// is not. Inside a build tree there is nothing at the end of that way.
+// An installed library is in PREFIX/lib, its presets in PREFIX/share; the relative path is fixed, PREFIX
+// is not. In a build tree there is nothing at that path.
 std::filesystem::path folder_beside_library() {
   Dl_info library{};
   if (dladdr(reinterpret_cast<const void*>(&folder_beside_library), &library) == 0 || library.dli_fname == nullptr) {
@@ -36,7 +36,7 @@ std::filesystem::path shipped_folder() {
   return INSONIFY_INSTALLED_PRESETS;
 }
 
-// The entries of INSONIFY_PRESETS; empty ones, as of "a::b" or a colon at the end, are left out.
+// The entries of INSONIFY_PRESETS without empty ones, as in "a::b" or after a final colon.
 std::vector<std::filesystem::path> own_folders() {
   std::vector<std::filesystem::path> folders;
   const char* variable = std::getenv("INSONIFY_PRESETS");

@@ -11,10 +11,10 @@ namespace insonify {
 /// colons, as in PATH), then the shipped one, which is the one installed with this library wherever the installation
 /// has been moved to, else that of the source tree it was built from. A preset of an earlier folder replaces one of the
 /// same name in a later one.
-/// @throws Error where an entry of INSONIFY_PRESETS is no folder.
+/// @throws Error if an entry of INSONIFY_PRESETS is not a folder.
 [[nodiscard]] std::vector<std::filesystem::path> preset_folders();
 
-/// The file NAME.yaml of the first folder that has it; empty where none has.
+/// The file NAME.yaml of the first folder that has it; empty if none has.
 [[nodiscard]] std::filesystem::path find_preset_file(const std::string& name);
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// preset_limits.cpp -- fits a sonar to what its instrument can do, and finds settings that it cannot have.
+// preset_limits.cpp -- fits a sonar to its instrument's limits, and finds settings beyond them.
 
 #include <fmt/format.h>
 

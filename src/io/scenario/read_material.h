@@ -10,7 +10,7 @@
 namespace insonify {
 
 /// The name of a material.
-/// @throws Error where it is empty.
+/// @throws Error if it is empty.
 [[nodiscard]] std::string material_name(const YamlValue& value, std::string_view object);
 
 void read_section(const YamlValue& value, std::string_view object, MaterialOverride& changes, Places& places);

@@ -1,4 +1,4 @@
-// read_sonar.cpp -- applies the preset, then the entry's own keys, then computes what follows from both.
+// read_sonar.cpp -- applies the preset, then the entry's keys, then computes derived settings.
 
 #include "io/scenario/read_sonar.h"
 
@@ -105,7 +105,7 @@ SonarConfig read_sonar(const YamlValue& value, const std::string& object, const 
   SonarConfig sonar = preset ? preset->sonar : SonarConfig();
   read_fields(value, object, sonar, places);
   if (value.find("receiver") != nullptr) {
-    sonar.receiver = scenario.receiver;  // What the sonar's own does not give.
+    sonar.receiver = scenario.receiver;  // Defaults of the sonar's own.
   }
   read_parts(value, object, sonar, places, [](std::string_view) { return true; });
   fit_to_beam_azimuths(value, object, sonar);

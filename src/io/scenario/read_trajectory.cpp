@@ -1,4 +1,4 @@
-// read_trajectory.cpp -- waypoints as a scenario gives them, in itself or in a file.
+// read_trajectory.cpp -- waypoints in a scenario or in a file of its own.
 
 #include "io/scenario/read_trajectory.h"
 

@@ -8,7 +8,7 @@
 namespace insonify {
 
 /// A list of waypoints; the name of a file; or a map of the keys of TrackChoice.
-/// @param places  With the place of "", the scenario's file, from whose folder files are.
+/// @param places  With the place of "", the scenario's file, whose folder is the base of file names.
 void read_part(const YamlValue& value, const std::string& name, const Part& part, std::vector<Waypoint>& waypoints,
                Places& places);
 

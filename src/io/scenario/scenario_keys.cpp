@@ -1,4 +1,4 @@
-// scenario_keys.cpp -- lists of keys, made from what each configuration says of its fields and parts.
+// scenario_keys.cpp -- lists of keys, from the configurations' lists of fields and parts.
 
 #include "io/scenario/scenario_keys.h"
 

@@ -13,7 +13,7 @@ namespace insonify {
 [[nodiscard]] std::vector<std::string> sonar_keys();
 
 /// Those of their parts, as paths: "water.depth", "receiver.noise", "sampling.rows".
-/// @param sonar  What the path of a sonar's own part begins with: "sonars[0]"; "" where a sonar is meant anyway.
+/// @param sonar  Prefix of paths in a sonar's parts: "sonars[0]"; "" if they all refer to a sonar.
 [[nodiscard]] std::vector<std::string> part_keys(const std::string& sonar = "");
 
 }  // namespace insonify

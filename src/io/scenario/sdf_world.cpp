@@ -66,7 +66,7 @@ YamlValue entry_of(const SdfSonar& sonar, const Pose& world_from_vehicle) {
     YamlValue value = parse_yaml_setting(text, sonar.place);
     set_place(value, sonar.place);
     if (entry.find(key) != nullptr) {
-      throw Error(fmt::format("sonar {}: <{}> is there twice", printable(sonar.name), printable(key))).at(sonar.place);
+      throw Error(fmt::format("sonar {}: <{}> appears twice", printable(sonar.name), printable(key))).at(sonar.place);
     }
     entry.entries.push_back({key, std::move(value)});
   }
@@ -74,7 +74,7 @@ YamlValue entry_of(const SdfSonar& sonar, const Pose& world_from_vehicle) {
   return entry;
 }
 
-// What carries sonars does not stand in their way.
+// The carrier of sonars must not block their view.
 void ignore_carriers(YamlValue& scenario, const std::vector<SdfSonar>& sonars) {
   if (!is_given(scenario, "ignore")) {
     std::erase_if(scenario.entries, [](const YamlValue::Entry& entry) { return entry.key == "ignore"; });
@@ -146,9 +146,9 @@ bool add_sdf_sonars(YamlValue& scenario, const fs::path& path, std::span<const s
   scenario.entries.push_back({"sonars", std::move(sonars)});
   ignore_carriers(scenario, found);
   add_trajectory(scenario, found.front());
-  log_line(log, Severity::kInfo,
-           fmt::format("{}: sonars in it: {}; what carries them is left out of the world", file.string(),
-                       fmt::join(names, ", ")));
+  log_line(
+      log, Severity::kInfo,
+      fmt::format("{}: sonars in it: {}; their carriers are not insonified", file.string(), fmt::join(names, ", ")));
   return true;
 }
 

@@ -1,4 +1,4 @@
-// sdf_world.h -- the sonars of a scenario that names none, from the SDF file that is its world.
+// sdf_world.h -- gives a scenario without sonars those of its SDF world.
 
 #pragma once
 
@@ -11,12 +11,12 @@
 
 namespace insonify {
 
-/// Whether a file name ends as that of an SDF world: .sdf, .world or .xml.
+/// Whether a file name has the extension of an SDF world: .sdf, .world or .xml.
 [[nodiscard]] bool is_sdf_file(const std::filesystem::path& path);
 
-/// Adds `sonars` to a scenario that has none and whose world, after the settings, is an SDF file with sonars in it.
-/// Their poses are in the frame of what carries the first, which becomes the vehicle: it is left out of the world
-/// (`ignore`), and where there is no `trajectory` it stands where the file has it.
+/// Adds `sonars` to a scenario that has none and whose world, after the settings, is an SDF file with sonars. Their
+/// poses are in the frame of the first one's carrier, which becomes the vehicle: it is not insonified (`ignore`), and
+/// without a `trajectory` it stays at its pose in the file.
 /// @param path  The scenario, whose folder the world's path starts from; or the SDF file itself.
 /// @return      Whether sonars were added.
 /// @throws Error "path:line:column: ..." for faults, and if `path` itself is an SDF file without sonars.

@@ -51,7 +51,7 @@ bool add_stonefish_sonars(YamlValue& scenario, const fs::path& path, std::span<c
     throw Error(
         fmt::format("{}: has no sensor of type fls, msis or sss; list sonars in a scenario that says world: {}{}",
                     file.string(), printable(world, kLongestName),
-                    found.missing.empty() ? "" : "; what is missing may be the cause: " + found.missing));
+                    found.missing.empty() ? "" : "; missing parts may be the cause: " + found.missing));
   }
   YamlValue sonars;
   sonars.kind = Kind::kList;

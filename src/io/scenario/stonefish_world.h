@@ -1,4 +1,4 @@
-// stonefish_world.h -- the sonars of a scenario that names none, from the Stonefish scenario that is its world.
+// stonefish_world.h -- gives a scenario without sonars those of its Stonefish world.
 
 #pragma once
 
@@ -11,18 +11,18 @@
 
 namespace insonify {
 
-/// Whether a file name ends as that of a Stonefish scenario: .scn.
+/// Whether a file name has the extension of a Stonefish scenario: .scn.
 [[nodiscard]] bool is_stonefish_file(const std::filesystem::path& path);
 
-/// Adds `sonars` to a scenario that has none and whose world, after the settings, is a Stonefish scenario. What comes
-/// from there has its place there. With a `trajectory` their poses are on the vehicle, else in the world.
+/// Adds `sonars` to a scenario that has none and whose world, after the settings, is a Stonefish scenario. Their
+/// settings have places in that file. With a `trajectory` their poses are on the vehicle, else in the world.
 /// @param path  The scenario, whose folder the world's path starts from.
 /// @return      Whether sonars were added.
 /// @throws Error "path:line:column: ..." for faults of the Stonefish scenario, and if it has no sonar either.
 bool add_stonefish_sonars(YamlValue& scenario, const std::filesystem::path& path, std::span<const std::string> settings,
                           const Log& log);
 
-/// Removes what add_stonefish_sonars() added and has no effect in the calibrated model, where this is the scenario's:
+/// Removes settings of add_stonefish_sonars() that have no effect in the calibrated model, if the scenario uses it:
 /// gains.
 void remove_idle_stonefish_gains(YamlValue& scenario);
 

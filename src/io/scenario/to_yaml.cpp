@@ -1,4 +1,4 @@
-// to_yaml.cpp -- writes a scenario as YAML, by the lists of fields and parts from which it is read.
+// to_yaml.cpp -- writes a scenario as YAML, using the lists of fields and parts that also read it.
 
 #include <fmt/format.h>
 
@@ -25,8 +25,8 @@ YamlValue scalar(std::string text, bool quoted = false) {
   return value;
 }
 
-// The number of degrees of fewest digits that is read as these radians. Not every number of radians has one: degrees
-// may be the coarser of the two, and the nearest is taken.
+// The shortest number of degrees that is read as these radians, or the nearest: not every number of radians has one, as
+// degrees can be the coarser of the two.
 double degrees_to_write(double radians) {
   const double nearest = degrees_from_radians(radians);
   if (!std::isfinite(nearest)) {
@@ -144,7 +144,7 @@ YamlValue written_part(ActsIn idle, const Member& member, const Member& defaults
 }
 
 // What differs from the defaults.
-// @param idle  The model in which fields that are left out act: the one that the scenario has not.
+// @param idle  The model that the scenario does not use, whose fields are omitted.
 template <typename Config>
 YamlValue map_of(ActsIn idle, const Config& config, const Config& defaults) {
   YamlValue map;

@@ -1,4 +1,4 @@
-// track_choice.h -- the keys of a trajectory that is in a file of its own.
+// track_choice.h -- the keys of a trajectory in a file of its own.
 
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace insonify {
 
-/// Stands in scenario files only: a Trajectory has the file's waypoints.
+/// Used in scenario files only: a Trajectory has the file's waypoints.
 struct TrackChoice {
   std::filesystem::path file = {};
   double start = 0;

@@ -1,4 +1,4 @@
-// yaml_read.h -- fills configurations from YAML by the list of fields that each gives of itself.
+// yaml_read.h -- fills configurations from YAML by their field lists.
 
 #pragma once
 
@@ -18,11 +18,11 @@
 
 namespace insonify {
 
-/// @throws Error unless the value is of that kind. `expected` completes "must be ...".
+/// @throws Error unless the value is of that type. `expected` completes "must be ...".
 void require_map(const YamlValue& value, std::string_view object, std::string_view expected);
 void require_list(const YamlValue& value, std::string_view object, std::string_view expected);
 
-/// @throws Error for the first key that is not known; it names the nearest one that is.
+/// @throws Error for the first unknown key, with the nearest known one.
 /// @param elsewhere  Keys of other parts, as paths such as "water.depth": suggested for an unknown key "depth".
 void check_keys(const YamlValue& map, std::string_view object, std::span<const std::string> known,
                 std::span<const std::string> elsewhere = {});
@@ -31,7 +31,7 @@ void check_keys(const YamlValue& map, std::string_view object, std::span<const s
 [[nodiscard]] std::string key_suggestion(std::string_view key, std::span<const std::string> known,
                                          std::span<const std::string> elsewhere);
 
-/// Calls a function and gives an Error that it throws a place.
+/// Calls a function and adds a place to its Error.
 template <typename Function>
 void with_place(const Place& place, Function&& function) {
   try {
@@ -135,7 +135,7 @@ void read_fields(const YamlValue& map, std::string_view object, Config& config, 
   });
 }
 
-/// Fills a configuration from a map that holds nothing else: its fields and its parts. Configurations that files may
+/// Fills a configuration's fields and parts from a map without other keys. Configurations that files may
 /// write otherwise have an overload of their own.
 template <typename Config>
 void read_section(const YamlValue& value, std::string_view object, Config& config, Places& places);

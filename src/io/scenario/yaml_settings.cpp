@@ -107,7 +107,7 @@ bool contains(std::span<const std::string> keys, const std::string& key) {
 const std::vector<std::vector<std::string>> kAlternatives = {{"pings", "duration", "turns"},
                                                              {"orientation_deg", "orientation_wxyz"}};
 
-// A key given by --set takes the place of its alternatives in the file.
+// A key given by --set replaces its alternatives in the file.
 void remove_alternatives(YamlValue& map, const std::string& key, const Place& place) {
   for (const std::vector<std::string>& keys : kAlternatives) {
     if (!contains(keys, key)) {

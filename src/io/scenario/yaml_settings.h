@@ -14,7 +14,7 @@ namespace insonify {
 /// @param scenario_keys  Keys of a scenario.
 /// @param sonar_keys     Keys of a sonar.
 /// @param part_keys      Those of their parts, as paths such as "water.depth".
-/// @throws Error "--set key=value: ..." for a key that names nothing; an unknown one is answered with the nearest known
+/// @throws Error "--set key=value: ..." for a key that names nothing; for an unknown one with the nearest known
 /// key.
 void apply_setting(YamlValue& scenario, const std::string& setting, std::span<const std::string> scenario_keys,
                    std::span<const std::string> sonar_keys, std::span<const std::string> part_keys);

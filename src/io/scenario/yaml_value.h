@@ -1,4 +1,4 @@
-// yaml_value.h -- a YAML text as a tree of values that each know where they stand.
+// yaml_value.h -- a YAML text as a tree of values with their places.
 
 #pragma once
 
@@ -36,17 +36,17 @@ struct YamlValue::Entry {
 };
 
 /// Reads one YAML document, merge keys (`<<: *name`) included.
-/// @param path  As messages name the file.
+/// @param path  The file's name in messages.
 /// @throws Error "path:line:column: ..." for text that is not YAML, a key given twice, or more than one document.
 [[nodiscard]] YamlValue parse_yaml(const std::string& text, const std::string& path);
 
-/// Reads a value given on the command line: all of it stands at `place`.
+/// Reads a value given on the command line, with `place` as its place.
 [[nodiscard]] YamlValue parse_yaml_setting(const std::string& text, const Place& place);
 
 /// Writes a tree as YAML again.
 [[nodiscard]] std::string write_yaml(const YamlValue& value);
 
-/// Text as messages show it, in double quotes.
+/// Text in double quotes, for messages.
 [[nodiscard]] std::string quoted_text(std::string_view text);
 
 }  // namespace insonify

@@ -194,22 +194,24 @@ void StonefishBodies::count(const StonefishElement& element) {
 }
 
 void StonefishBodies::report_not_read(const std::string& file, const Log& log) const {
-  const auto tell = [&](const std::string& what) { log_line(log, Severity::kInfo, fmt::format("{}: {}", file, what)); };
+  const auto report = [&](const std::string& what) {
+    log_line(log, Severity::kInfo, fmt::format("{}: {}", file, what));
+  };
   std::vector<std::string> kinds;
   for (const auto& [kind, times] : not_read_) {
     kinds.push_back(fmt::format("{} ({})", kind, times));
   }
   if (!kinds.empty()) {
-    tell(fmt::format("not read: {}", fmt::join(kinds, ", ")));
+    report(fmt::format("not read: {}", fmt::join(kinds, ", ")));
   }
   if (joints_ > 0) {
-    tell(fmt::format("at their zero position: joints that move ({})", joints_));
+    report(fmt::format("at their zero position: joints that move ({})", joints_));
   }
   if (animated_ > 0) {
-    tell(fmt::format("where their trajectories begin: animated bodies ({})", animated_));
+    report(fmt::format("where their trajectories begin: animated bodies ({})", animated_));
   }
   if (has_ocean_) {
-    tell("the ocean's surface is not read: it is where `surface` of a scenario of insonify says");
+    report("the ocean's surface is not read: it is where `surface` of a scenario of insonify says");
   }
 }
 

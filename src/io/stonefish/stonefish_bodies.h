@@ -1,4 +1,4 @@
-// stonefish_bodies.h -- the bodies and sensors of a Stonefish scenario, and where they are.
+// stonefish_bodies.h -- the bodies and sensors of a Stonefish scenario, with their poses.
 
 #pragma once
 
@@ -16,7 +16,7 @@ namespace insonify {
 struct StonefishBody {
   std::string name;  ///< "wall", of a link "robot::link".
   StonefishElement element;
-  Pose world_from_body = {};  ///< Links with all joints at zero, animated bodies where they begin.
+  Pose world_from_body = {};  ///< Links with all joints at zero, animated bodies at their start.
 };
 
 /// A sensor, attached to a body or to the world. Frames are Stonefish's: z down, the sensor's z its axis.
@@ -30,15 +30,15 @@ struct StonefishSensor {
 /// All bodies and sensors of a scenario.
 class StonefishBodies {
  public:
-  /// @param missing  Receives bodies and sensors whose place is not known, which are left out.
+  /// @param missing  Receives bodies and sensors without a known pose, which are skipped.
   /// @throws Error "path:line:column: ..." for faults.
   StonefishBodies(const StonefishSource& source, MissingParts& missing);
 
   [[nodiscard]] const std::vector<StonefishBody>& bodies() const { return bodies_; }
   [[nodiscard]] const std::vector<StonefishSensor>& sensors() const { return sensors_; }
 
-  /// Tells the log what is not read, or stands still that moves in Stonefish.
-  /// @param file  As messages name the scenario.
+  /// Reports to the log what is not read, and what moves in Stonefish but not here.
+  /// @param file  The scenario's name in messages.
   void report_not_read(const std::string& file, const Log& log) const;
 
  private:
@@ -55,7 +55,7 @@ class StonefishBodies {
   std::vector<StonefishBody> bodies_;
   std::vector<StonefishSensor> sensors_;
   std::map<std::string, int> not_read_;  // Number of elements of each kind.
-  int joints_ = 0, animated_ = 0;        // Those that move in Stonefish.
+  int joints_ = 0, animated_ = 0;        // Numbers of those that move in Stonefish.
   bool has_ocean_ = false;
 };
 

@@ -22,7 +22,7 @@ std::string what_of(const StonefishElement& element, const char* child, const ch
   return fmt::format("{}: {}{}", element.what(), tag, attribute);
 }
 
-// Why a text cannot be read that still has something to replace in it, as a message goes on; null if it has not.
+// Why a text with an unreplaced argument cannot be read, as the end of a message; null if it has none.
 const char* reason_unreadable(std::string_view text) {
   const auto has = [&](std::string_view what) { return text.find(what) != std::string_view::npos; };
   return has("${")       ? ": formulas are not worked out, write the number"
@@ -31,7 +31,7 @@ const char* reason_unreadable(std::string_view text) {
                          : nullptr;
 }
 
-// The attribute's text. Nothing in it is left to replace.
+// The attribute's text, without anything left to replace.
 std::string text_of(const StonefishElement& element, const char* child, const char* attribute) {
   const pugi::xml_node node = *child == '\0' ? element.node : element.node.child(child);
   if (!node) {

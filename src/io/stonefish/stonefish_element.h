@@ -19,11 +19,11 @@ struct StonefishElement {
   std::filesystem::path path;  ///< The file, absolute; other files are looked for from its folder.
 
   explicit operator bool() const { return static_cast<bool>(node); }
-  /// The first child of this name; false where there is none.
+  /// The first child of this name; false if there is none.
   [[nodiscard]] StonefishElement child(const char* name) const { return {node.child(name), file, path}; }
   [[nodiscard]] std::string name() const { return node.attribute("name").value(); }
   [[nodiscard]] std::string type() const { return node.attribute("type").value(); }
-  /// "pool.scn:3:5: static 'wall'", as messages begin.
+  /// Prefix of messages: "pool.scn:3:5: static 'wall'".
   [[nodiscard]] std::string what() const;
 };
 
@@ -32,15 +32,15 @@ struct StonefishElement {
 class StonefishUnreadable : public Error {
  public:
   /// @param the_part    "pool.scn:3:5: static 'wall': 'wall.obj'"
-  /// @param the_reason  What follows in the message.
+  /// @param the_reason  The rest of the message.
   StonefishUnreadable(const std::string& the_part, const std::string& the_reason)
       : Error(the_part + the_reason), part(the_part), reason(the_reason) {}
   std::string part, reason;
 };
 
-// Attributes of an element's child, <dimensions radius="2"/> of a body; of the element itself where `child` is "".
-// Each throws Error where the child or the attribute is missing or malformed, and StonefishUnreadable where its value
-// is a $(param ...), a $(find ...) or a $(arg ...) without a value, or a formula in ${...}.
+// Attributes of an element's child, <dimensions radius="2"/> of a body; of the element itself if `child` is "". Each
+// throws Error if the child or the attribute is missing or malformed, and StonefishUnreadable if its value is a
+// $(param ...), a $(find ...) or a $(arg ...) without a value, or a formula in ${...}.
 
 [[nodiscard]] std::string stonefish_text(const StonefishElement& element, const char* child, const char* attribute);
 

@@ -15,7 +15,7 @@ namespace insonify {
 [[nodiscard]] std::optional<std::filesystem::path> find_stonefish_file(const std::string& name,
                                                                        const std::filesystem::path& base);
 
-/// Why it was not found, as a message goes on: " does not exist".
+/// Why it was not found, as the end of a message: " does not exist".
 [[nodiscard]] std::string stonefish_file_not_found(const std::string& name);
 
 /// The folder for $(find NAME): an installed package, by AMENT_PREFIX_PATH or ROS_PACKAGE_PATH, or one whose source the

@@ -1,4 +1,4 @@
-// stonefish_scene.cpp -- adds the shapes of bodies and their parts to a scene, and tells what it has not.
+// stonefish_scene.cpp -- adds the shapes of bodies and their parts to a scene, and reports what is missing.
 
 #include "io/stonefish/stonefish_scene.h"
 
@@ -50,21 +50,21 @@ class StonefishSceneBuilder {
     if (scene_.instances.empty()) {
       throw Error(!missing_.empty() ? fmt::format("{}: nothing is left to insonify: {}", file, missing_.whole_text())
                                     : fmt::format("{}: there is no body to insonify{}", file,
-                                                  ignored_.any() ? " but what `ignore` leaves out" : ""));
+                                                  ignored_.any() ? " except what `ignore` removes" : ""));
     }
     ignored_.report_unused(file, log_);
     return std::move(scene_);
   }
 
  private:
-  // Whether a pattern stands for a body, or for the robot that it is a link of.
+  // Whether a pattern matches a body, or the robot that it is a link of.
   bool is_ignored(const std::string& name) {
     const std::size_t colons = name.find("::");
     const bool robot = colons != std::string::npos && ignored_.match(name.substr(0, colons));
     return robot || ignored_.match(name);
   }
 
-  // Names in a scenario need not differ.
+  // Names in a scenario need not be unique.
   std::string unique(const std::string& name) {
     std::string tried = name;
     for (int& copies = copies_[name]; !names_.insert(tried).second;) {

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kPlaneSide = 10000;  // [m], that of the square which Stonefish draws.
 
-// The name by which a material is looked up: that of the material, or of the look where only the library knows that.
+// The name for finding a material: that of the material, or of the look if only that is in the library.
 std::string material_name(const StonefishElement& body) {
   const std::string material = body.child("material").name(), look = body.child("look").name();
   const bool by_look = find_material(material) == nullptr && find_material(look) != nullptr;
@@ -39,7 +39,7 @@ std::string found_file(const StonefishElement& body, const StonefishElement& ele
   return path->string();
 }
 
-// Calls a function that reads a file; what it throws is about a part that is left out.
+// Calls a function that reads a file; turns its errors into those of a skipped part.
 template <typename Read>
 auto read_for(const StonefishElement& element, Read&& read) {
   try {
@@ -49,8 +49,8 @@ auto read_for(const StonefishElement& element, Read&& read) {
   }
 }
 
-// Stonefish's terrain: columns along x, rows along y, the darkest pixel at the body's origin and a white one as much
-// higher as `height` says of a black one.
+// Stonefish's terrain: columns along x, rows along y, the darkest pixel at the body's origin, and `height` between
+// black and white.
 Mesh terrain_mesh(const std::string& path, double scale_x, double scale_y, double height, const Log& log) {
   HeightGrid grid = load_height_grid(path, log);
   grid.spacing_x = scale_x;
@@ -153,7 +153,7 @@ std::optional<StonefishShape> StonefishShapes::shape(const StonefishElement& bod
         shared(fmt::format("torus {} {}", major, minor), body, [&] { return make_torus(major, minor); }), origin};
   }
   log_line(log_, Severity::kWarning,
-           fmt::format("{} is left out: insonify has no shape of type '{}'", body.what(), printable(type)));
+           fmt::format("{} is skipped: insonify has no shape of type '{}'", body.what(), printable(type)));
   return std::nullopt;
 }
 

@@ -1,4 +1,4 @@
-// stonefish_shapes.h -- makes meshes of the shapes of Stonefish's bodies.
+// stonefish_shapes.h -- makes meshes from the shapes of Stonefish's bodies.
 
 #pragma once
 
@@ -27,8 +27,8 @@ class StonefishShapes {
   explicit StonefishShapes(const Log& log) : log_(log) {}
 
   /// @param body       A body, a link or a part of a compound body.
-  /// @param physical   Take the mesh of <physical> although there is one of <visual>.
-  /// @return           Nothing for a type without a shape ("empty"), and for one that is not known, which is reported.
+  /// @param physical   Use the mesh of <physical> even if there is one of <visual>.
+  /// @return           Nothing for a type without a shape ("empty"), and for an unknown type, which is reported.
   /// @throws StonefishUnreadable for files that are missing or wrong, Error for sizes out of limits.
   [[nodiscard]] std::optional<StonefishShape> shape(const StonefishElement& body, bool physical);
 

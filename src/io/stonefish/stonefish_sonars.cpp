@@ -16,7 +16,7 @@
 namespace insonify {
 namespace {
 
-// Stonefish's values where a sensor has no <settings>.
+// Stonefish's defaults for a sensor without <settings>.
 constexpr double kMinRange = 0.5, kMaxRange = 10;  // [m]
 
 // Orientation of a sonar in the frame of its sensor.
@@ -49,7 +49,7 @@ double angle(const StonefishElement& sensor, const char* attribute) {
   return radians_from_degrees(stonefish_number(sensor, "specs", attribute));
 }
 
-// What the three types have in common. A name becomes part of file names.
+// Common part of the three types. A name becomes part of file names.
 SonarConfig common(const StonefishElement& sensor) {
   SonarConfig sonar;
   sonar.name = stonefish_text(sensor, "", "name");

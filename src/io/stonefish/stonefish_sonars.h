@@ -1,4 +1,4 @@
-// stonefish_sonars.h -- the sonars of a Stonefish scenario as ours.
+// stonefish_sonars.h -- converts the sonars of a Stonefish scenario.
 
 #pragma once
 
@@ -11,13 +11,13 @@
 
 namespace insonify {
 
-/// A sonar and the element that it comes from.
+/// A sonar and its source element.
 struct StonefishSonar {
   SonarConfig sonar;
   Place place;
 };
 
-/// What the sensors of a scenario come to.
+/// The sonars of a scenario.
 struct StonefishSonars {
   std::vector<StonefishSonar> sonars;
   std::string missing;  ///< Parts that could not be read, in one line; "" if there are none.

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The value of the `arg NAME` or `find NAME` in a $(...); nothing where it has none.
+// The value of the `arg NAME` or `find NAME` in a $(...); nothing if it has none.
 std::optional<std::string> value_of(const std::string& call, const std::map<std::string, std::string>& arguments,
                                     const fs::path& path) {
   const std::size_t space = call.find(' ');

@@ -13,18 +13,18 @@
 
 namespace insonify {
 
-/// Files that a scenario includes, at most; one included twice counts twice.
+/// Largest number of included files; one included twice counts twice.
 inline constexpr int kMostStonefishIncludes = 1000;
-/// Length of an attribute in which arguments have been replaced, at most [bytes].
+/// Largest length of an attribute after replacing arguments [bytes].
 inline constexpr std::size_t kLongestStonefishAttribute = 4096;
 
-/// Reads a scenario, replaces each <include> by what its file holds, $(arg ...) by the include's arguments and
+/// Reads a scenario, replaces each <include> by its file's contents, $(arg ...) by the include's arguments and
 /// $(find ...) by the package's folder.
 class StonefishSource {
  public:
-  /// @param missing  Receives included files that are not found or cannot be read, which are left out.
-  /// @throws Error for a file that is missing, not XML or no scenario, for one that includes itself, and for more than
-  /// the limits above.
+  /// @param missing  Receives included files that are missing or unreadable, which are skipped.
+  /// @throws Error for a file that is missing, not XML or not a scenario, for one that includes itself, and for more
+  /// than the limits above.
   StonefishSource(const std::filesystem::path& file, MissingParts& missing);
 
   /// The elements inside <scenario>, those of included files after those of the file itself.

@@ -17,7 +17,7 @@
 namespace insonify {
 namespace {
 
-// Numbers that an element of a shape holds.
+// Numbers in an element of a shape.
 const std::map<std::pair<std::string, std::string>, std::size_t> kNumbers = {
     {{"box", "size"}, 3},       {{"plane", "size"}, 2},     {{"plane", "normal"}, 3},      {{"sphere", "radius"}, 1},
     {{"cone", "radius"}, 1},    {{"cone", "length"}, 1},    {{"cylinder", "radius"}, 1},   {{"cylinder", "length"}, 1},
@@ -37,7 +37,7 @@ bool is_finite_number(std::string_view word) {
   return failure == std::errc() && end == word.data() + word.size() && std::isfinite(value);
 }
 
-// How many numbers an element must hold; 0 for one that holds none.
+// Required number of numbers in an element; 0: none.
 std::size_t numbers_wanted(pugi::xml_node element) {
   const std::string name = element.name();
   if (name == "pose") {
@@ -48,7 +48,7 @@ std::size_t numbers_wanted(pugi::xml_node element) {
   return entry == kNumbers.end() ? 0 : entry->second;
 }
 
-// More numbers than needed do no harm: Gazebo's own worlds have planes with three sizes.
+// Extra numbers are accepted: Gazebo's own worlds have planes with three sizes.
 void check_numbers(const XmlFile& file, pugi::xml_node element) {
   const std::size_t wanted = numbers_wanted(element);
   const std::string content = wanted > 0 ? xml_text(element) : "";

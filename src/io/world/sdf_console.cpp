@@ -1,4 +1,4 @@
-// sdf_console.cpp -- a stream buffer that captures one thread's output and passes on that of others.
+// sdf_console.cpp -- a stream buffer that captures one thread's output and forwards that of others.
 
 #include "io/world/sdf_console.h"
 

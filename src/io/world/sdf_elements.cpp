@@ -1,4 +1,4 @@
-// sdf_elements.cpp -- tells which elements of SDF matter to a scene, and changes those that libsdformat would refuse.
+// sdf_elements.cpp -- selects the SDF elements that matter to a scene, and changes those that libsdformat would refuse.
 
 #include "io/world/sdf_elements.h"
 

@@ -9,19 +9,19 @@
 
 namespace insonify {
 
-/// Whether an element has no influence on shapes and places.
+/// Whether an element has no influence on shapes and poses.
 [[nodiscard]] bool is_irrelevant_sdf(pugi::xml_node element);
 
-/// Whether an element is an <include> where one may be.
+/// Whether an element is an <include> at a valid place.
 [[nodiscard]] bool is_sdf_include(pugi::xml_node element);
 
-/// Whether a file holds lights or actors, and nothing else.
+/// Whether a file holds only lights or actors.
 [[nodiscard]] bool holds_only_sdf_lights(pugi::xml_node root);
 
-/// Whether a pose, a frame or a placement may stand relative to something of this name, scoped or not.
+/// Whether a pose, a frame or a placement may be relative to something of this name, scoped or not.
 [[nodiscard]] bool is_sdf_frame_of_another(pugi::xml_node root, std::string_view name);
 
-/// Whether an element is a visual's look whose name says that it is water, as "UUVSimulator/StaticWater".
+/// Whether an element is a visual's look named as water, such as "UUVSimulator/StaticWater".
 [[nodiscard]] bool paints_sdf_water(pugi::xml_node element);
 
 /// Makes a model without links and models static: libsdformat refuses others, and one whose included models are missing

@@ -24,9 +24,8 @@ SdfFile parse(const std::filesystem::path& path, bool joints, bool strict, Missi
   try {
     parsed.root = read_sdf_root(*parsed.source, log);
   } catch (const Error& error) {
-    throw missing.empty()
-        ? error
-        : Error(fmt::format("{}; what is missing may be the cause: {}", error.what(), missing.text()));
+    throw missing.empty() ? error
+                          : Error(fmt::format("{}; missing parts may be the cause: {}", error.what(), missing.text()));
   }
   return parsed;
 }
@@ -38,11 +37,11 @@ std::unique_lock<std::mutex> lock_sdf() {
   return std::unique_lock(one_at_a_time);
 }
 
-// Faults of joints, which have no shape, do no harm: where the file cannot be read it is tried again without them.
+// Faults of joints, which have no shape, are tolerated: if the file cannot be read, it is read again without joints.
 SdfFile read_sdf_file(const std::filesystem::path& path, bool strict, MissingParts& missing, const Log& log) {
   std::vector<std::pair<Severity, std::string>> said;
   const Log keep = [&](Severity severity, const std::string& line) { said.emplace_back(severity, line); };
-  const auto tell = [&] {
+  const auto flush_warnings = [&] {
     for (const auto& [severity, line] : said) {
       log_line(log, severity, line);
     }
@@ -53,7 +52,7 @@ SdfFile read_sdf_file(const std::filesystem::path& path, bool strict, MissingPar
     parsed = parse(path, true, strict, found, keep);
   } catch (const Error& fault) {
     if (strict) {
-      tell();
+      flush_warnings();
       throw;
     }
     said.clear();
@@ -61,7 +60,7 @@ SdfFile read_sdf_file(const std::filesystem::path& path, bool strict, MissingPar
     parsed = parse(path, false, strict, found, keep);
     found.add("the joints, which have no shapes,", fmt::format(" for a fault: {}", fault.what()));
   }
-  tell();
+  flush_warnings();
   missing = found;
   return parsed;
 }

@@ -1,4 +1,4 @@
-// sdf_file.h -- an SDF file with all that it includes, parsed.
+// sdf_file.h -- a parsed SDF file with all its includes.
 
 #pragma once
 
@@ -13,18 +13,18 @@
 
 namespace insonify {
 
-/// The files of a world, and what libsdformat makes of them.
+/// The files of a world, as parsed by libsdformat.
 struct SdfFile {
   std::unique_ptr<SdfSource> source;
   sdf::Root root;
 };
 
-/// Locks what is global in libsdformat: its settings and std::cerr. To be held while a file is read.
+/// Locks libsdformat's global state: its settings and std::cerr. To be held while a file is read.
 [[nodiscard]] std::unique_lock<std::mutex> lock_sdf();
 
-/// Reads a file, without its joints where their faults would keep it from being read.
-/// @param strict   Whether what is missing, or a faulty joint, is an error.
-/// @param missing  Receives what is not found or cannot be read. This and `log` must outlive the file.
+/// Reads a file, without its joints if their faults would prevent it.
+/// @param strict   Whether missing parts and faulty joints are errors.
+/// @param missing  Receives missing and unreadable parts. This and `log` must outlive the file.
 /// @throws Error "path:line:column: ..." for faults.
 [[nodiscard]] SdfFile read_sdf_file(const std::filesystem::path& path, bool strict, MissingParts& missing,
                                     const Log& log);

@@ -26,7 +26,7 @@ std::string lower(std::string text) {
   return text;
 }
 
-// "%20" and its like as the characters they stand for.
+// Decodes percent-encoded characters.
 std::string decoded(const std::string& text) {
   std::string plain;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -58,8 +58,8 @@ bool is_number(const std::string& text) {
   return !text.empty() && text.size() < 9 && std::ranges::all_of(text, [](unsigned char c) { return std::isdigit(c); });
 }
 
-// Words of the path: API version, owner, "models", name, and then version and files. Empty for another form. A name
-// that would lead out of its folder is none of Fuel's.
+// Components of the path: API version, owner, "models", name, and then version and files. Empty for any other form, and
+// for a name that would lead out of its folder.
 std::vector<std::string> words_of_model(const std::string& uri) {
   const std::size_t scheme = uri.find("://");
   if (scheme == std::string::npos || (uri.substr(0, scheme) != "https" && uri.substr(0, scheme) != "http")) {

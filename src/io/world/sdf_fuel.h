@@ -1,4 +1,4 @@
-// sdf_fuel.h -- finds what a URI of Gazebo's Fuel server names in the caches that Gazebo's own tools fill.
+// sdf_fuel.h -- finds models of Gazebo's Fuel server in the caches of Gazebo's own tools.
 
 #pragma once
 
@@ -15,8 +15,8 @@ namespace insonify {
 [[nodiscard]] std::string fuel_model_uri(const std::string& uri);
 
 /// Looks for a model's folder, or a file of it, in GZ_FUEL_CACHE_PATH, IGN_FUEL_CACHE_PATH, ~/.gz/fuel and
-/// ~/.ignition/fuel: CACHE/SERVER/owner/models/name/VERSION/..., case aside. The two names that the server has had
-/// count as one. Without a version, or with "tip", the highest in the cache.
+/// ~/.ignition/fuel: CACHE/SERVER/owner/models/name/VERSION/..., ignoring case. The server's two names
+/// are equivalent. Without a version, or with "tip", the highest in the cache.
 [[nodiscard]] std::optional<std::filesystem::path> find_fuel_uri(const std::string& uri);
 
 /// "is not in the caches of Fuel (...)", which lists the folders.

@@ -27,7 +27,7 @@ float mix(float a, float b, float weight_of_b) {
   return weight_of_b >= 1 ? b : a + weight_of_b * (b - a);
 }
 
-// Height between the corners of a cell. Where one has no data, the other three span a triangle, as in
+// Height between the corners of a cell. If one has no data, the other three span a triangle, as in
 // make_height_field(); beyond it there is none.
 float height_within(std::array<std::array<float, 2>, 2> corners, float x, float y) {
   for (int j = 0; j < 2; ++j) {

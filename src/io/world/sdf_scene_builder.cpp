@@ -175,7 +175,7 @@ void SdfSceneBuilder::add_model(const sdf::Model& model) {
   add_top_model(model, resolve(model, what("model", model.Name(), *model.Element())));
 }
 
-void SdfSceneBuilder::tell(const std::string& file, const std::string& text,
+void SdfSceneBuilder::warn(const std::string& file, const std::string& text,
                            const std::vector<std::string>& names) const {
   if (!names.empty()) {
     log_line(log_, Severity::kWarning, fmt::format("{}: {}: {}", file, text, fmt::join(names, ", ")));
@@ -189,7 +189,7 @@ std::string SdfSceneBuilder::nothing_in(const std::string& file) const {
   std::string text =
       fmt::format("{}: there is no {} to insonify", file, options_.collisions ? "collision shape" : "visual");
   if (ignored_.any()) {
-    return text + " but what `ignore` leaves out";
+    return text + " except what `ignore` removes";
   }
   if (left_out > 0) {
     text += fmt::format(", {} left out", left_out);
@@ -209,9 +209,8 @@ Scene SdfSceneBuilder::finish(const std::string& file) {
     throw Error(missing_.empty() ? nothing_in(file)
                                  : fmt::format("{}: nothing is left to insonify: {}", file, missing_.whole_text()));
   }
-  tell(file, "of models without visuals the collision shapes are insonified (ignore leaves them out)",
-       without_visuals_);
-  tell(file, "what is water or invisible to cameras echoes as a solid surface (ignore leaves it out)", for_eyes_);
+  warn(file, "of models without visuals the collision shapes are insonified (ignore removes them)", without_visuals_);
+  warn(file, "what is water or invisible to cameras echoes as a solid surface (ignore removes it)", for_eyes_);
   ignored_.report_unused(file, log_);
   return std::move(scene_);
 }

@@ -21,10 +21,10 @@
 
 namespace insonify {
 
-/// Makes one scene of all that is added.
+/// Makes one scene from everything added.
 class SdfSceneBuilder {
  public:
-  /// @param missing  Receives files of meshes and heightmaps that are not found or cannot be read.
+  /// @param missing  Receives missing and unreadable files of meshes and heightmaps.
   /// All arguments must outlive this object.
   SdfSceneBuilder(const SdfSource& source, const WorldOptions& options, MissingParts& missing, const Log& log)
       : source_(source),
@@ -34,15 +34,15 @@ class SdfSceneBuilder {
         ignored_(options.ignore),
         shapes_(source, log) {}
 
-  /// Adds all models of a world, where its <state> has them if there is one.
+  /// Adds all models of a world, at the poses of its <state> if there is one.
   /// @throws Error "path:line:column: ..." for faults.
   void add_world(const sdf::World& world);
 
   /// Adds a model outside of worlds.
   void add_model(const sdf::Model& model);
 
-  /// Returns the scene, and tells the log what is not in it, or not as it seems.
-  /// @param file  As messages name it.
+  /// Returns the scene, and reports to the log what is not in it, or differs from its appearance.
+  /// @param file  Its name in messages.
   /// @throws Error if the scene is empty, or, with WorldOptions::strict, parts of it are missing.
   Scene finish(const std::string& file);
 
@@ -68,7 +68,7 @@ class SdfSceneBuilder {
   [[nodiscard]] std::optional<PlacedMesh> shape_or_none(const sdf::Geometry& geometry, const std::string& where);
   [[nodiscard]] bool is_for_eyes_only(const sdf::Visual& visual) const;
   [[nodiscard]] static bool is_for_eyes_only(const sdf::Collision& /*collision*/) { return false; }
-  void tell(const std::string& file, const std::string& text, const std::vector<std::string>& names) const;
+  void warn(const std::string& file, const std::string& text, const std::vector<std::string>& names) const;
   [[nodiscard]] std::string nothing_in(const std::string& file) const;
 
   const SdfSource& source_;
@@ -77,7 +77,7 @@ class SdfSceneBuilder {
   const Log& log_;
   NamePatterns ignored_;
   SdfShapes shapes_;
-  bool collisions_ = false;  // Whether the model at hand is made of its collision shapes.
+  bool collisions_ = false;  // Whether the current model uses its collision shapes.
   std::vector<std::string> without_visuals_, for_eyes_;
   std::set<std::string> names_;
   std::size_t visual_count_ = 0, collision_count_ = 0;

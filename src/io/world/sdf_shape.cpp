@@ -47,7 +47,7 @@ Shape plane(const sdf::Plane& plane, bool collision) {
   return shape;
 }
 
-// libsdformat does not tell whether a size is its default.
+// libsdformat does not say whether a size is its default.
 Shape heightmap(const sdf::Heightmap& heightmap) {
   constexpr unsigned kMost = std::numeric_limits<int>::max();
   Shape shape{.kind = ShapeKind::kHeightmap, .uri = heightmap.Uri(), .position = vec3(heightmap.Position())};
@@ -58,7 +58,7 @@ Shape heightmap(const sdf::Heightmap& heightmap) {
   return shape;
 }
 
-// Shapes that libsdformat knows by themselves; absent for others.
+// Shapes that libsdformat supports; absent for others.
 std::optional<Shape> known_shape(const sdf::Geometry& geometry, bool collision) {
   switch (geometry.Type()) {
     case sdf::GeometryType::BOX:
@@ -93,7 +93,7 @@ std::optional<Shape> known_shape(const sdf::Geometry& geometry, bool collision) 
   return std::nullopt;
 }
 
-// The file that holds the geometry, as libsdformat has it.
+// The file that holds the geometry, from libsdformat.
 std::string file_of(const sdf::Geometry& geometry) {
   switch (geometry.Type()) {
     case sdf::GeometryType::MESH:
@@ -117,7 +117,7 @@ std::optional<Shape> SdfShapes::unknown_shape(const sdf::Geometry& geometry, con
   const bool is_empty = element == nullptr || element->GetName() == "empty";
   log_line(
       log_, Severity::kWarning,
-      what + " is left out: " +
+      what + " is skipped: " +
           (is_empty ? "it has no shape" : fmt::format("insonify has no shape <{}>", printable(element->GetName()))));
   return std::nullopt;
 }

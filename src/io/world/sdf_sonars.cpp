@@ -111,7 +111,7 @@ void Reader::add(const sdf::ElementPtr& element, const sdf::ElementPtr& holder, 
   sonars_.push_back(std::move(sonar));
 }
 
-// A pose that cannot be worked out is an error where the scene is read, or where a sonar is there.
+// An undefined pose is an error only when the scene is read, or if it has a sonar.
 template <typename Part>
 Pose resolved(const Part& part, const std::string& what) {
   sdf_math::Pose3d pose;
@@ -156,7 +156,7 @@ void Reader::read(const sdf::Model& model, const std::string& scope, const Pose&
 
 std::vector<SdfSonar> load_sdf_sonars(const std::filesystem::path& path, const Log& log) {
   const auto lock = lock_sdf();
-  MissingParts missing;  // Told when the scene is read.
+  MissingParts missing;  // Reported when the scene is read.
   const SdfFile parsed = read_sdf_file(path, false, missing, log);
   Reader reader(*parsed.source);
   const auto read = [&](const sdf::Model& model, const std::map<std::string, Pose>& saved) {

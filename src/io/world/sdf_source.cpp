@@ -57,7 +57,7 @@ std::string SdfSource::shown(const std::string& path) const {
   return whole == fs::absolute(file_).lexically_normal() ? file_.string() : whole;
 }
 
-// The element at a line; null where it cannot be told.
+// The element at a line; null if it is ambiguous.
 pugi::xml_node SdfSource::find(const Source& source, int line, const std::string& element,
                                const std::string& name) const {
   pugi::xml_node found;
@@ -113,7 +113,7 @@ std::string SdfSource::write_copy(const std::string& text, const std::string& or
     const fs::path folder = fs::temp_directory_path(failure);
     std::string name = folder / "insonify-sdf-XXXXXX";
     if (failure || mkdtemp(name.data()) == nullptr) {
-      throw Error(fmt::format("{}: cannot be read: TMPDIR, or /tmp, is no folder to put a copy in", shown(original)));
+      throw Error(fmt::format("{}: cannot be read: TMPDIR, or /tmp, is not a folder for a copy", shown(original)));
     }
     scratch_ = name;
   }
@@ -127,7 +127,7 @@ std::string SdfSource::write_copy(const std::string& text, const std::string& or
   return copy;
 }
 
-// Returns the absolute path that replaces the URI of an <include>; nothing for one to leave out.
+// Returns the absolute path that replaces the URI of an <include>; nothing for one to skip.
 std::optional<std::string> SdfSource::resolve_include(const std::string& uri, const fs::path& file,
                                                       const std::string& place) {
   const std::string where =
@@ -204,7 +204,7 @@ bool SdfSource::prepare_inside(pugi::xml_node parent, const XmlFile& xml, const 
     check_sdf_element(xml, child);
     if (is_irrelevant_sdf(child)) {
       if (child.name() == std::string_view("actor")) {
-        log_line(log_, Severity::kWarning, xml.where(child) + "an actor is left out");
+        log_line(log_, Severity::kWarning, xml.where(child) + "an actor is skipped");
       }
       if (paints_sdf_water(child)) {
         water_.insert(xml.where(parent));

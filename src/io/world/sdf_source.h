@@ -30,7 +30,7 @@ class SdfSource {
   /// @param joints   Whether joints are kept. They have no shape and can be removed, except those that are the frame of
   ///                 something else.
   /// @param missing  Receives included models that are not found or cannot be read, which are removed.
-  /// @param log      Receives warnings about versions other than 1.4 to 1.9 and about actors, which are left out.
+  /// @param log      Receives warnings about versions other than 1.4 to 1.9 and about actors, which are skipped.
   /// The last two must outlive this object.
   /// @throws Error for a file that is missing, not XML or not SDF, for files that include themselves, and for faults
   /// that check_sdf_element() finds.

@@ -16,9 +16,9 @@ namespace insonify {
 /// SDF_PATH, GZ_SIM_RESOURCE_PATH, IGN_GAZEBO_RESOURCE_PATH, GAZEBO_MODEL_PATH and GAZEBO_RESOURCE_PATH. "file://"
 /// takes a path, absolute or not. A URI of the Fuel server is looked for in its caches (sdf_fuel.h).
 /// @param base     The SDF file that holds the URI.
-/// @param accepts  Whether an existing path is what is looked for; the search goes on past those that are not. Empty:
+/// @param accepts  Whether an existing path is the right one; the search continues past wrong ones. Empty:
 ///                 any is.
-/// @return         Absolute path; where none is accepted the first that exists, or nothing.
+/// @return         Absolute path; if none is accepted the first that exists, or nothing.
 [[nodiscard]] std::optional<std::filesystem::path> find_sdf_uri(
     const std::string& uri, const std::filesystem::path& base,
     const std::function<bool(const std::filesystem::path&)>& accepts = {});

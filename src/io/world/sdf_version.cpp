@@ -43,8 +43,8 @@ void check_sdf_version(const XmlFile& file, const Log& log) {
                          printable(version), kOldest.first, kOldest.second));
   } else if (number > kNewest) {
     log_line(log, Severity::kWarning,
-             fmt::format("{}SDF version {} is newer than {}.{} and read as that; what is new in it is "
-                         "left out",
+             fmt::format("{}SDF version {} is newer than {}.{} and read as that; new features are "
+                         "ignored",
                          where, printable(version), kNewest.first, kNewest.second));
   }
 }

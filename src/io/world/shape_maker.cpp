@@ -1,4 +1,4 @@
-// shape_maker.cpp -- makes the meshes of primitives, and reads those of files.
+// shape_maker.cpp -- makes meshes of primitives and reads those of files.
 
 #include "io/world/shape_maker.h"
 

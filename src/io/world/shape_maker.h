@@ -29,8 +29,8 @@ struct PlacedMesh {
 class UnreadableShape : public Error {
  public:
   /// @param the_part    "path:line:column: visual 'a::b': 'x.dae'"
-  /// @param the_reason  What follows in the message.
-  /// @param model_uri   Of the Fuel model to fetch; "" for a file that is none of Fuel's.
+  /// @param the_reason  The rest of the message.
+  /// @param model_uri   URI of the Fuel model to download; "" for other files.
   UnreadableShape(const std::string& the_part, const std::string& the_reason, const std::string& model_uri = "")
       : Error(the_part + the_reason), part(the_part), reason(the_reason), fuel_uri(model_uri) {}
   std::string part, reason, fuel_uri;

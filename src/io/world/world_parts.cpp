@@ -1,4 +1,4 @@
-// world_parts.cpp -- makes instances of parts, and tells of those left out.
+// world_parts.cpp -- makes instances from parts, and reports skipped ones.
 
 #include "insonify/world_parts.h"
 
@@ -32,7 +32,7 @@ struct WorldParts::State {
   NamePatterns ignored;
   ShapeMaker maker;
 
-  // Whether a part, or what it belongs to, is to be left out: "ship" of "ship::hull::plate" too.
+  // Whether a part, or its model or link, is to be skipped: also "ship" of "ship::hull::plate".
   [[nodiscard]] bool is_ignored(const std::string& name) {
     for (std::size_t end = name.find("::"); end != std::string::npos; end = name.find("::", end + 2)) {
       if (ignored.match(name.substr(0, end))) {
@@ -94,7 +94,7 @@ Scene WorldParts::scene(std::span<const WorldPart> parts, const std::string& nam
   missing.report(name, state.options.strict, state.log);
   if (!for_eyes.empty()) {
     log_line(state.log, Severity::kWarning,
-             fmt::format("{}: what is water or invisible to cameras echoes as a solid surface (ignore leaves it out): "
+             fmt::format("{}: what is water or invisible to cameras echoes as a solid surface (ignore removes it): "
                          "{}",
                          name, fmt::join(for_eyes, ", ")));
   }

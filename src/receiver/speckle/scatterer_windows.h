@@ -13,7 +13,7 @@ namespace insonify {
 inline constexpr float kShortest = 1.5F;
 inline constexpr double kLadder = 1.6;
 
-/// Lowest bits of ScattererRow::patch, which tell n; 0 for the lattice itself.
+/// Lowest bits of ScattererRow::patch, which hold n; 0 for the lattice itself.
 inline constexpr int kRungBits = 6;
 
 /// Nominal position of a scatterer in its step, which decides whether a window contains it [steps].

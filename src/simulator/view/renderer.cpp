@@ -182,7 +182,7 @@ Renderer::Sample Renderer::shade(std::size_t i) const {
   return {screen_colour(colour), static_cast<float>(hit.distance)};
 }
 
-// Tint of the material, varied a little in brightness by instance so that objects can be told apart.
+// Tint of the material, with slightly different brightness per instance to distinguish objects.
 Vec3f Renderer::tint(const Hit& hit) const {
   const Vec3f base = hit.material < tints_.size() ? tints_[hit.material] : Vec3f::Constant(0.35F);
   return base * (0.92F + 0.16F * static_cast<float>((hit.instance * 2654435761U >> 16U) & 0xffU) / 255.0F);

@@ -1,4 +1,4 @@
-// underwater_light.cpp -- colours chosen by eye for clear water in daylight and materials that can be told apart in it.
+// underwater_light.cpp -- colours chosen by eye for clear water in daylight and distinguishable materials.
 
 #include "simulator/view/underwater_light.h"
 

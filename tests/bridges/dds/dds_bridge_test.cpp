@@ -76,16 +76,16 @@ TEST(TypeHashTest, IsThatWhichRos2Prints) {
 
 TEST(FrameTreeTest, ComposesTransformsUpwards) {
   FrameTree tree;
-  tree.tell("odom", "/base_link", {Vec3(1, 2, 0), orientation_from_rpy(0, 0, radians_from_degrees(90))}, 5);
-  tree.tell("world", "odom", {Vec3(10, 0, 0), Eigen::Quaterniond::Identity()}, 3);
-  tree.tell("base_link", "sonar", {Vec3(1, 0, 0), Eigen::Quaterniond::Identity()}, 0);
+  tree.set("odom", "/base_link", {Vec3(1, 2, 0), orientation_from_rpy(0, 0, radians_from_degrees(90))}, 5);
+  tree.set("world", "odom", {Vec3(10, 0, 0), Eigen::Quaterniond::Identity()}, 3);
+  tree.set("base_link", "sonar", {Vec3(1, 0, 0), Eigen::Quaterniond::Identity()}, 0);
   const auto place = tree.find("world", "sonar");
   ASSERT_TRUE(place);
   EXPECT_LT((place->pose.position - Vec3(11, 3, 0)).norm(), 1e-12);  // 10 + 1, and 2 + 1 turned to y.
   EXPECT_EQ(place->stamp, 5);
   EXPECT_FALSE(tree.find("map", "sonar"));
   EXPECT_EQ(tree.top("sonar"), "world");
-  tree.tell("sonar", "world", {}, 1);  // A circle.
+  tree.set("sonar", "world", {}, 1);  // A circle.
   EXPECT_FALSE(tree.find("map", "sonar"));
 }
 

@@ -1,5 +1,5 @@
 // dds_inputs_test.cpp -- the bridge to DDS goes where odometry and tf of another vendor's programs say, also when they
-// start anew.
+// restart.
 
 #include <gmock/gmock.h>
 

@@ -67,8 +67,8 @@ class GazeboBridgeTest : public testing::TestWithParam<std::string> {
   // A wall whose near side is at x = 8, and a vehicle at the origin.
   static std::unique_ptr<Player> tank(const std::string& generation, double wall = 8.5) {
     auto player = std::make_unique<Player>("tank", generation);
-    player->tell("add 10 wall " + std::to_string(wall) + " 0 0 0 static box 1 20 20");
-    player->tell("add 20 rov 0 0 0 0 free box 0.4 0.4 0.4");
+    player->send("add 10 wall " + std::to_string(wall) + " 0 0 0 static box 1 20 20");
+    player->send("add 20 rov 0 0 0 0 free box 0.4 0.4 0.4");
     return player;
   }
 
@@ -76,7 +76,7 @@ class GazeboBridgeTest : public testing::TestWithParam<std::string> {
   static GazeboSonarImage next(Player& player, GazeboReader& reader, double time) {
     const std::size_t before = reader.count();
     for (int attempt = 0; attempt < 120 && reader.count() == before; ++attempt) {  // The same again changes nothing.
-      player.tell("poses " + std::to_string(time));
+      player.send("poses " + std::to_string(time));
       (void)reader.wait_for(before + 1, 0.5);
     }
     EXPECT_GT(reader.count(), before) << "no ping at " << time << "; " << contents(kSaid);
@@ -93,10 +93,10 @@ TEST_P(BothGenerations, PingsAreMadeWhereGazeboHasTheVehicle) {
   Program bridge = this->bridge();
   GazeboReader ignition("/fls/sonar_image", "ignition.msgs.Image"), gz("/fls/sonar_image", "gz.msgs.Image");
   const auto player = tank(GetParam());
-  player->tell("followed");
+  player->send("followed");
   for (int i = 0; i < 5; ++i) {
     const double x = 0.5 * i, time = 3 + kPeriod * i;
-    player->tell("move 20 " + std::to_string(x) + " 0 0 0");
+    player->send("move 20 " + std::to_string(x) + " 0 0 0");
     const GazeboSonarImage image = next(*player, ignition, time);
     EXPECT_NEAR(image.first_echo(), 8 - 0.25 - x, kBin) << i;
     EXPECT_NEAR(image.time, time, 1e-9);
@@ -121,19 +121,19 @@ TEST_P(BothGenerations, SpawnedModelsAreInTheNextPingAndRemovedOnesAreNot) {
   Program bridge = this->bridge();
   GazeboReader reader("/fls/sonar_image", "gz.msgs.Image");
   const auto player = tank(GetParam());
-  player->tell("followed");
+  player->send("followed");
   EXPECT_NEAR(next(*player, reader, 1).first_echo(), 7.75, kBin);
-  player->tell("add 30 buoy 4 0 0 0 free box 1 1 1");
+  player->send("add 30 buoy 4 0 0 0 free box 1 1 1");
   EXPECT_NEAR(next(*player, reader, 1 + kPeriod).first_echo(), 3.25, kBin);
-  player->tell("move 30 5 0 0 0");
+  player->send("move 30 5 0 0 0");
   EXPECT_NEAR(next(*player, reader, 1 + 2 * kPeriod).first_echo(), 4.25, kBin);
-  player->tell("move 32 -1 0 0 0");  // Its visual in the link.
+  player->send("move 32 -1 0 0 0");  // Its visual in the link.
   EXPECT_NEAR(next(*player, reader, 1 + 3 * kPeriod).first_echo(), 3.25, kBin);
-  player->tell("remove 30");
+  player->send("remove 30");
   const GazeboSonarImage after = next(*player, reader, 1 + 4 * kPeriod);
   EXPECT_NEAR(after.first_echo(), 7.75, kBin);
   EXPECT_EQ(after.number, 4U);  // Numbers go on.
-  player->tell("add 40 buoy 3 0 0 0 static box 1 1 1");
+  player->send("add 40 buoy 3 0 0 0 static box 1 1 1");
   EXPECT_NEAR(next(*player, reader, 1 + 5 * kPeriod).first_echo(), 2.25, kBin);
 }
 
@@ -141,18 +141,18 @@ TEST_F(GazeboBridgeTest, WhatMessagesDidNotTellIsFoundByThePoses) {
   Program bridge = this->bridge();
   GazeboReader reader("/fls/sonar_image", "gz.msgs.Image");
   const auto player = tank("ignition");
-  player->tell("followed");
+  player->send("followed");
   EXPECT_NEAR(next(*player, reader, 1).first_echo(), 7.75, kBin);
-  player->tell("add-silently 30 buoy 4 0 0 0 free box 1 1 1");
-  player->tell("poses 1.01");
+  player->send("add-silently 30 buoy 4 0 0 0 free box 1 1 1");
+  player->send("poses 1.01");
   ASSERT_TRUE(says(kSaid, "1 visuals added"));
   EXPECT_NEAR(next(*player, reader, 1 + kPeriod).first_echo(), 3.25, kBin);
-  player->tell("remove-silently 30");
-  player->tell("poses 1.1");
+  player->send("remove-silently 30");
+  player->send("poses 1.1");
   ASSERT_TRUE(says(kSaid, "1 removed"));
   EXPECT_NEAR(next(*player, reader, 1 + 3 * kPeriod).first_echo(), 7.75, kBin);
   // A static model that is put somewhere else all the same.
-  player->tell("move 10 6.5 0 0 0");
+  player->send("move 10 6.5 0 0 0");
   EXPECT_NEAR(next(*player, reader, 1 + 4 * kPeriod).first_echo(), 5.75, kBin);
 }
 
@@ -161,11 +161,11 @@ TEST_F(GazeboBridgeTest, WaitsForGazeboAndSurvivesItsRestart) {
   ASSERT_TRUE(says(kSaid, "there is no Gazebo in the partition insonify-"));
   GazeboReader reader("/fls/sonar_image", "gz.msgs.Image");
   auto player = tank("gz");
-  player->tell("followed");
+  player->send("followed");
   EXPECT_NEAR(next(*player, reader, 50).first_echo(), 7.75, kBin);
   player->die();
   player = tank("gz", 6.5);  // The same ids, other places, and time from the start.
-  player->tell("followed");
+  player->send("followed");
   EXPECT_NEAR(next(*player, reader, 0.25).time, 0.25, 1e-9);
   EXPECT_NEAR(next(*player, reader, 0.25 + kPeriod).first_echo(), 5.75, kBin);
 }
@@ -203,8 +203,8 @@ TEST_F(GazeboBridgeTest, MessagesAgreeWithTheRecordingOfTheSameWorld) {
   Program bridge = this->bridge({"tank.sdf"});
   GazeboReader reader("/bow/sonar_image", "gz.msgs.Image");
   const auto player = tank("gz");
-  player->tell("move 20 1 0.5 0 0.2");
-  player->tell("followed");
+  player->send("move 20 1 0.5 0 0.2");
+  player->send("followed");
   for (std::uint64_t ping = 0; ping < 2; ++ping) {
     const GazeboSonarImage image = next(*player, reader, kPeriod * static_cast<double>(ping));
     EXPECT_LE(largest_difference(image, recording.intensity(ping)), 1) << "ping " << ping;
@@ -233,11 +233,11 @@ trajectory: [{time: 0, position: [3, 1, 0]}, )";
   Program bridge = this->bridge();
   GazeboReader reader("/fls/sonar_image", "gz.msgs.Image");
   Player player("tank", "gz");
-  player.tell("add 20 rov 3 1 0 0 free box 0.4 0.4 0.4");
-  player.tell("followed");
+  player.send("add 20 rov 3 1 0 0 free box 0.4 0.4 0.4");
+  player.send("followed");
   constexpr double kBegin = 0.25, kStep = 0.125;  // Gazebo's time, which begins at 0 as a start does [s].
   const GazeboSonarImage first = next(player, reader, kBegin);
-  player.tell(fmt::format("move 20 {} {} 0 {}", 3 + 7 * kStep, 1 + 3 * kStep, radians_from_degrees(40 * kStep)));
+  player.send(fmt::format("move 20 {} {} 0 {}", 3 + 7 * kStep, 1 + 3 * kStep, radians_from_degrees(40 * kStep)));
   const GazeboSonarImage second = next(player, reader, kBegin + kStep);
   EXPECT_LE(largest_difference(first, still.intensity(0)), 1);
   EXPECT_LE(largest_difference(second, moving.intensity(1)), 1);
@@ -251,8 +251,8 @@ TEST_F(GazeboBridgeTest, AllKindsOfMessagesAreThere) {
       points("/fls/points", "gz.msgs.PointCloudPacked"), pose("/fls/pose", "gz.msgs.Pose"),
       transforms("/tf", "ignition.msgs.Pose_V"), scenario("/scenario", "gz.msgs.StringMsg");
   const auto player = tank("ignition");
-  player->tell("move 20 1 2 3 0");
-  player->tell("followed");
+  player->send("move 20 1 2 3 0");
+  player->send("followed");
   (void)next(*player, image, 1);
   (void)next(*player, image, 1 + kPeriod);
   for (GazeboReader* reader : {&fan, &points, &pose, &transforms, &scenario}) {
@@ -287,30 +287,30 @@ TEST_F(GazeboBridgeTest, WhatCannotBeMadeIsToldOnceAndTheRestIsInsonified) {
   Program bridge = this->bridge();
   GazeboReader reader("/fls/sonar_image", "gz.msgs.Image");
   const auto player = tank("gz");
-  player->tell("add 30 dock 0 0 0 0 static mesh model://dock/wall.obj");
-  player->tell("add 40 lost 0 0 0 0 static mesh model://lost/hull.dae");
-  player->tell("add 50 marker 0 0 0 0 static empty");
-  player->tell("followed");
+  player->send("add 30 dock 0 0 0 0 static mesh model://dock/wall.obj");
+  player->send("add 40 lost 0 0 0 0 static mesh model://lost/hull.dae");
+  player->send("add 50 marker 0 0 0 0 static empty");
+  player->send("followed");
   EXPECT_NEAR(next(*player, reader, 1).first_echo(), 4.75, kBin);
   EXPECT_NEAR(next(*player, reader, 1 + kPeriod).first_echo(), 4.75, kBin);
   bridge.end(SIGINT);
   const std::string said = contents(kSaid);
-  EXPECT_THAT(said, AllOf(HasSubstr("the world tank: 1 part of the world is left out (an error with strict: true): "
+  EXPECT_THAT(said, AllOf(HasSubstr("the world tank: 1 part of the world is skipped (an error with strict: true): "
                                     "visual 'lost::link::visual': 'model://lost/hull.dae' not found beside this file"),
-                          HasSubstr("visual 'marker::link::visual' is left out: it has no shape")));
+                          HasSubstr("visual 'marker::link::visual' is skipped: it has no shape")));
   EXPECT_EQ(said.find("hull.dae"), said.rfind("hull.dae"));
 }
 
 TEST_F(GazeboBridgeTest, AVehicleThatIsNotThereIsTold) {
   Program bridge = this->bridge({"dive.yaml", "--vehicle", "fls=boat::hull"});
   const auto player = tank("gz");
-  player->tell("followed");
+  player->send("followed");
   for (int i = 0; i < 200 && !says(kSaid, "no ping", 0.1); ++i) {
-    player->tell("poses 1");
+    player->send("poses 1");
   }
   EXPECT_THAT(contents(kSaid), HasSubstr("no ping: boat::hull, which carries fls, is not in the world; its models are "
                                          "rov, wall"));
-  player->tell("add 60 boat 2 0 0 0 free empty");
+  player->send("add 60 boat 2 0 0 0 free empty");
   EXPECT_EQ(bridge.end(SIGINT), 0);
   Program other = this->bridge({"dive.yaml", "--vehicle", "sls=boat"});
   EXPECT_TRUE(says(kSaid, "--vehicle sls=boat: there is no sonar sls"));
@@ -322,8 +322,8 @@ TEST_F(GazeboBridgeTest, ObjectsAreLeftOutAndGivenMaterialsAsTheScenarioSays) {
   Program bridge = this->bridge();
   GazeboReader reader("/fls/sonar_image", "gz.msgs.Image");
   const auto player = tank("gz");
-  player->tell("add 30 buoy 4 0 0 0 free box 1 1 1");
-  player->tell("followed");
+  player->send("add 30 buoy 4 0 0 0 free box 1 1 1");
+  player->send("followed");
   EXPECT_NEAR(next(*player, reader, 1).first_echo(), 7.75, kBin);
   EXPECT_THAT(contents(kSaid), HasSubstr("unused"));
 }

@@ -1,4 +1,4 @@
-// gazebo_player.h -- plays the part of Gazebo that tells of a world, as its SceneBroadcaster does.
+// gazebo_player.h -- stands in for Gazebo's SceneBroadcaster, which publishes a world.
 
 #pragma once
 
@@ -21,13 +21,13 @@ class GazeboPlayer {
   /// @param newer  Whether types are called gz.msgs, as since Garden, or ignition.msgs.
   GazeboPlayer(const std::string& world, bool newer);
 
-  /// Adds a model, and tells of it on the topic scene/info.
+  /// Adds a model, and announces it on the topic scene/info.
   /// @param geometry  "box 1 2 3", "sphere 0.5", "mesh FILE", "cylinder 0.5 2", "empty".
   void add(std::uint32_t id, const std::string& name, const Pose& pose, bool is_static, const std::string& geometry);
   /// The same without a message: as one that was lost.
   void add_in_silence(std::uint32_t id, const std::string& name, const Pose& pose, bool is_static,
                       const std::string& geometry);
-  /// Removes a model, and tells of it on the topic scene/deletion.
+  /// Removes a model, and announces it on the topic scene/deletion.
   void remove(std::uint32_t id);
   void remove_in_silence(std::uint32_t id);
   /// Moves a model, or its link or visual.

@@ -138,7 +138,7 @@ TEST(GazeboShapesTest, AreThoseOfSdf) {
   EXPECT_EQ(mesh.submesh, "keel");
   EXPECT_EQ(mesh.scale, Vec3::Ones());
   geometry.set_type(Geometry::HEIGHTMAP);
-  EXPECT_EQ(std::get<std::string>(shape_of(geometry)), "Gazebo does not tell the file of its heightmap");
+  EXPECT_EQ(std::get<std::string>(shape_of(geometry)), "Gazebo does not publish the file of its heightmap");
   geometry.set_type(Geometry::POLYLINE);
   EXPECT_EQ(std::get<std::string>(shape_of(geometry)), "insonify has no shape POLYLINE");
 }

@@ -1,4 +1,4 @@
-// player_main.cpp -- a process that plays Gazebo, told what to do by the lines of its standard input.
+// player_main.cpp -- a process that stands in for Gazebo, controlled by lines on its standard input.
 //
 //     gazebo_player WORLD ignition|gz
 //

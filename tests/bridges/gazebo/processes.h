@@ -94,7 +94,7 @@ class Player {
   Player(const Player&) = delete;
   Player& operator=(const Player&) = delete;
 
-  void tell(const std::string& line) { EXPECT_EQ(ask(line), "ok") << line; }
+  void send(const std::string& line) { EXPECT_EQ(ask(line), "ok") << line; }
   std::string ask(const std::string& line) {
     std::fprintf(in_, "%s\n", line.c_str());
     std::fflush(in_);

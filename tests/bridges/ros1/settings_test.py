@@ -110,7 +110,7 @@ class SettingsTest(kit.MasterTest):
         node = self.start("__name:=marlin")
         self.assertEqual(node.process.wait(timeout=kit.PATIENCE), 2)
         self.assertIn("parameter /marlin/rate: --rate", node.said())
-        self.assertIn("rosparam delete /marlin/rate takes it away", node.said())
+        self.assertIn("rosparam delete /marlin/rate removes it", node.said())
 
     def test_several_sonars_have_names_below_the_node(self):
         self.master.set("/insonify", {"gain": 1.5, "_2nd_fls": {"gain": -2.5, "range": 7, "colour": "red"}, "3rd": {"range": 4}})

@@ -127,7 +127,7 @@ TEST_F(DamagedRecordingTest, TextsOfDatasetsMustBeWhereTheyPoint) {
             damaged + "it points past the end of the file");
   EXPECT_EQ(read_damaged(changed<std::uint64_t>(names + 4, ~std::uint64_t{7})),
             damaged + "it points past the end of the file");
-  EXPECT_EQ(read_damaged(changed<std::uint64_t>(names + 4, 8)), damaged + "there is no heap of texts where it points");
+  EXPECT_EQ(read_damaged(changed<std::uint64_t>(names + 4, 8)), damaged + "it points to no heap of texts");
   EXPECT_EQ(read_damaged(changed<std::uint32_t>(names + 12, 60'000)), damaged + "its text is not in the heap of texts");
   EXPECT_EQ(read_damaged(changed<std::uint32_t>(names + 12, 1'000'000)),
             damaged + "its text is not in the heap of texts");
@@ -160,7 +160,7 @@ TEST_F(DamagedRecordingTest, HeapsOfTextsMustBeWhole) {
   EXPECT_THAT(read_damaged(changed<std::uint64_t>(heap + 8, 1 << 20)),
               HasSubstr(" is damaged: it points past the end of the file"));
   EXPECT_THAT(read_damaged(changed<std::uint64_t>(heap + 8, 3)),
-              HasSubstr(" is damaged: there is no heap of texts where it points"));
+              HasSubstr(" is damaged: it points to no heap of texts"));
   EXPECT_THAT(read_damaged(changed<std::uint64_t>(heap + 16 + 8, 1 << 20)),
               HasSubstr(" is damaged: its heap of texts has an object larger than itself"));
   EXPECT_THAT(read_damaged(changed<std::uint64_t>(heap + 16 + 8, ~std::uint64_t{0})),

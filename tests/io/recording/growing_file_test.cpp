@@ -155,7 +155,7 @@ TEST(GrowingFileTest, TakesThePlaceOfAnOlderFileOnceItIsClosed) {
 TEST(GrowingFileTest, TakesNoOldersPlaceUnlessItMay) {
   const auto path = place_for("older");
   record(path, 3);
-  EXPECT_EQ(message_of([&] { make_file(path); }), path.string() + ": cannot create: it is there already");
+  EXPECT_EQ(message_of([&] { make_file(path); }), path.string() + ": cannot create: it exists already");
   EXPECT_EQ(whole_rows(path), 3U);
   EXPECT_EQ(files_beside(path), std::vector<std::string>{"fls.h5"});
 }
@@ -201,8 +201,9 @@ TEST(GrowingFileTest, SaysWhyAFileCannotBeMade) {
   const auto path = place_for("folder");
   std::filesystem::create_directory(path);
   EXPECT_EQ(message_of([&] { make_file(path); }),
-            path.string() + ": cannot create: it is there and is no regular file");
-  EXPECT_EQ(message_of([] { make_file("/dev/null"); }), "/dev/null: cannot create: it is there and is no regular file");
+            path.string() + ": cannot create: it exists and is not a regular file");
+  EXPECT_EQ(message_of([] { make_file("/dev/null"); }),
+            "/dev/null: cannot create: it exists and is not a regular file");
   EXPECT_EQ(message_of([] { make_file("/proc/fls.h5"); }), "/proc/fls.h5: cannot create: No such file or directory");
 }
 

@@ -145,7 +145,7 @@ TEST_F(McapWriterTest, ADestroyedWriterLeavesAWholeFile) {
 
 TEST_F(McapWriterTest, ReplacesAnEarlierFileOnlyWhenClosed) {
   folder.write("a.mcap", "earlier");
-  EXPECT_EQ(message_of([] { McapWriter("a.mcap", "us", false); }), "a.mcap: cannot create: it is there already");
+  EXPECT_EQ(message_of([] { McapWriter("a.mcap", "us", false); }), "a.mcap: cannot create: it exists already");
   {
     McapWriter out("a.mcap", "us", true);
     EXPECT_NE(out.place(), "a.mcap");
@@ -187,7 +187,7 @@ TEST_F(McapWriterTest, SaysSoWhenItsFileIsRemoved) {
   const auto channel = out.add_channel("/a", "p/msg/A", "int32 a\n");
   add(out, channel, 1, bytes_of("one"));
   std::filesystem::remove("a.mcap");
-  EXPECT_THAT(message_of([&] { out.close(); }), HasSubstr("a.mcap: is no longer there"));
+  EXPECT_THAT(message_of([&] { out.close(); }), HasSubstr("a.mcap: no longer exists"));
 }
 
 // Bytes that cannot be compressed.

@@ -143,14 +143,14 @@ TEST(RecordedPingsTest, WhatIsNoRecordingIsToldWhy) {
   const auto refusal = [](const char* path) { return message_of([=] { RecordedPings pings(path); }); };
   EXPECT_EQ(refusal("none.h5"), "none.h5: no such file");
   folder.write("text.h5", "intensity");
-  EXPECT_THAT(refusal("text.h5"), StartsWith("text.h5: is no recording: it is neither HDF5 nor MCAP"));
+  EXPECT_THAT(refusal("text.h5"), StartsWith("text.h5: is not a recording: it is neither HDF5 nor MCAP"));
   write_intensity("flat.h5", {2, 3}, H5T_IEEE_F32LE, std::vector<double>(6));
   EXPECT_EQ(refusal("flat.h5"), "flat.h5: intensity has 2 axes; a recording has three: ping, bin, beam");
   write_intensity("empty.h5", {2, 0, 3}, H5T_IEEE_F32LE, {});
   EXPECT_EQ(refusal("empty.h5"),
             "empty.h5: intensity has 0 bins and 3 beams; a recording has from 1 to 1000000 of each");
   H5Fclose(H5Fcreate("bare.h5", H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
-  EXPECT_EQ(refusal("bare.h5"), "bare.h5: is no recording: it has no dataset intensity");
+  EXPECT_EQ(refusal("bare.h5"), "bare.h5: is not a recording: it has no dataset intensity");
 }
 
 // ---------------------------------------------------------------- Pictures

@@ -199,7 +199,7 @@ TEST(RecordingTest, LeavesAnEarlierOneAloneUntilItIsClosed) {
   const auto path = fresh("earlier");
   record(path, fan_sonar(), 3);
   EXPECT_EQ(message_of([&] { Recording(path, scenario(), scene(), fan_sonar()); }),
-            path.string() + ": cannot create: it is there already");
+            path.string() + ": cannot create: it exists already");
   Recording next(path, scenario(), scene(), fan_sonar(), {.replace = true});
   next.add(make_ping(fan_sonar(), 0));
   EXPECT_EQ(H5Reader(path).shape("time").at(0), 3U);

@@ -167,7 +167,7 @@ TEST_F(SdfErrorTest, SaysWhenThereIsNoPlaceForCopies) {
   const std::string message =
       error_of("<sdf version='1.9'><world name='w'><light name='l' type='point'/></world></sdf>");
   unsetenv("TMPDIR");
-  EXPECT_EQ(message, "scene.sdf: cannot be read: TMPDIR, or /tmp, is no folder to put a copy in");
+  EXPECT_EQ(message, "scene.sdf: cannot be read: TMPDIR, or /tmp, is not a folder for a copy");
 }
 
 TEST_F(SdfErrorTest, SaysWhenThereIsNothingToInsonify) {

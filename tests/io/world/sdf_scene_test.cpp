@@ -244,10 +244,9 @@ TEST_F(SdfSceneTest, ReadsNewerVersionsWithAWarning) {
   const Scene scene = load(R"(<sdf version="1.11"><world name="sea">
 <include><uri>new.sdf</uri></include></world></sdf>)");
   EXPECT_EQ(scene.instances.at(0).name, "new::body::box");
-  EXPECT_THAT(said,
-              testing::ElementsAre(
-                  "scene.sdf:1:1: SDF version 1.11 is newer than 1.9 and read as that; what is new in it is left out",
-                  "new.sdf:1:1: SDF version 1.12 is newer than 1.9 and read as that; what is new in it is left out"));
+  EXPECT_THAT(said, testing::ElementsAre(
+                        "scene.sdf:1:1: SDF version 1.11 is newer than 1.9 and read as that; new features are ignored",
+                        "new.sdf:1:1: SDF version 1.12 is newer than 1.9 and read as that; new features are ignored"));
 }
 
 TEST_F(SdfSceneTest, WarnsOfVersionsThatAreTooOld) {
@@ -266,7 +265,7 @@ TEST_F(SdfSceneTest, WarnsOfActors) {
 <size>1 2 3</size></box></geometry></visual></link></model><actor name="diver"><skin><filename>diver.dae</filename></skin>
 <animation name="swim"><filename>diver.dae</filename></animation><script><trajectory id="0" type="swim"><waypoint>
 <time>0</time><pose>0 0 0 0 0 0</pose></waypoint></trajectory></script></actor></world></sdf>)");
-  EXPECT_THAT(said, testing::ElementsAre("scene.sdf:2:60: an actor is left out"));
+  EXPECT_THAT(said, testing::ElementsAre("scene.sdf:2:60: an actor is skipped"));
 }
 
 TEST_F(SdfSceneTest, PrintsNothing) {

@@ -187,11 +187,10 @@ TEST_F(SdfShapeTest, LeavesOutShapesItDoesNotKnowAndSaysSo) {
 <visual name="d"/>
 <visual name="e"><geometry><box><size>1 2 3</size></box></geometry></visual></link></model></sdf>)");
   EXPECT_EQ(scene.instances.size(), 1);
-  EXPECT_THAT(said,
-              testing::ElementsAre("scene.sdf:2:1: visual 'm::l::a' is left out: insonify has no shape <polyline>",
-                                   "scene.sdf:4:1: visual 'm::l::b' is left out: insonify has no shape <image>",
-                                   "scene.sdf:5:1: visual 'm::l::c' is left out: it has no shape",
-                                   "scene.sdf:6:1: visual 'm::l::d' is left out: it has no shape"));
+  EXPECT_THAT(said, testing::ElementsAre("scene.sdf:2:1: visual 'm::l::a' is skipped: insonify has no shape <polyline>",
+                                         "scene.sdf:4:1: visual 'm::l::b' is skipped: insonify has no shape <image>",
+                                         "scene.sdf:5:1: visual 'm::l::c' is skipped: it has no shape",
+                                         "scene.sdf:6:1: visual 'm::l::d' is skipped: it has no shape"));
 }
 
 TEST_F(SdfShapeTest, RefusesSizesOutOfLimits) {

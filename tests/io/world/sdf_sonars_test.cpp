@@ -56,8 +56,7 @@ TEST_F(SdfSonarsTest, TheFileIsAScenario) {
   EXPECT_LT((vehicle.position - Vec3(2.5, 1, -3)).norm(), 1e-12);
   EXPECT_LT(vehicle.orientation.angularDistance(orientation_from_rpy(0, 0, radians_from_degrees(90))), 1e-9);
   EXPECT_THAT(scenario.ignore, ElementsAre("rov::hull"));
-  EXPECT_THAT(said,
-              ElementsAre("tank.sdf: sonars in it: fls on rov::hull; what carries them is left out of the world"));
+  EXPECT_THAT(said, ElementsAre("tank.sdf: sonars in it: fls on rov::hull; their carriers are not insonified"));
   EXPECT_EQ(load_scene(scenario).instances.size(), 1U);
   EXPECT_EQ(load_scenario_text(scenario.text, "tank.sdf").sonars[0].max_range, 15);  // As recordings hold it.
 }
@@ -108,7 +107,7 @@ TEST_F(SdfSonarsTest, FaultsAreToldWithTheirPlaces) {
   write("<insonify:sonar name='fls'><position>1 2 3</position></insonify:sonar>");
   EXPECT_EQ(refusal(), "tank.sdf:6:1: sonar 'fls': <position> is written as <pose>");
   write("<insonify:sonar name='fls'><range>3</range><range>4</range></insonify:sonar>");
-  EXPECT_EQ(refusal(), "tank.sdf:6:1: sonar fls: <range> is there twice");
+  EXPECT_EQ(refusal(), "tank.sdf:6:1: sonar fls: <range> appears twice");
   write("", "<plugin name='insonify' filename='none'><sonar name='fls'><link>boom</link></sonar></plugin>");
   EXPECT_THAT(refusal(), HasSubstr("sonar 'fls': <link> = 'boom' is not a link of the model rov"));
 }

@@ -51,7 +51,7 @@ TEST_F(SdfWorldsTest, IncludesOfLightsAndActorsLeaveTheRest) {
   const Scene scene = load(world(include("model://sun") + include("model://sun") + include("model://diver") +
                                  model("m", box("visual", "v"))));
   EXPECT_THAT(names(scene), ElementsAre("m::l::v"));
-  EXPECT_THAT(said, ElementsAre("models/diver/model.sdf:2:1: an actor is left out"));
+  EXPECT_THAT(said, ElementsAre("models/diver/model.sdf:2:1: an actor is skipped"));
   EXPECT_EQ(error_of(world(include("model://sun") + model("m", box("visual", "v")))), "no error");
 }
 
@@ -85,7 +85,7 @@ TEST_F(SdfWorldsTest, OneWarningListsWhatIsMissingAndTheRestIsInsonified) {
   write("sea.tif", "II*");
   EXPECT_THAT(names(load(text)), ElementsAre("m::l::v"));
   ASSERT_EQ(said.size(), 1);
-  EXPECT_THAT(said[0], testing::StartsWith("scene.sdf: 4 parts of the world are left out (an error with strict: true): "
+  EXPECT_THAT(said[0], testing::StartsWith("scene.sdf: 4 parts of the world are skipped (an error with strict: true): "
                                            "scene.sdf:2:10: include 'model://rock', scene.sdf:5:1: visual 'm::l::w': "
                                            "'model://rock/rock.dae'" +
                                            std::string(kPlace) + "; scene.sdf:3:10: include 'model://broken': "));
@@ -99,7 +99,7 @@ TEST_F(SdfWorldsTest, NothingLeftIsAnError) {
   EXPECT_EQ(error_of_file(write("scene.sdf", world(include("model://rock"))), {}),
             "scene.sdf: nothing is left to insonify: scene.sdf:2:10: include 'model://rock'" + std::string(kPlace));
   EXPECT_EQ(error_of_file(write("scene.sdf", world(model("m", box("visual", "v")))), {.ignore = {"v"}}),
-            "scene.sdf: there is no visual to insonify but what `ignore` leaves out");
+            "scene.sdf: there is no visual to insonify except what `ignore` removes");
 }
 
 TEST_F(SdfWorldsTest, AFaultyJointCostsNoShapes) {
@@ -107,7 +107,7 @@ TEST_F(SdfWorldsTest, AFaultyJointCostsNoShapes) {
   const std::string text = world(model("m", box("visual", "v"), joint));
   EXPECT_THAT(names(load(text)), ElementsAre("m::l::v"));
   ASSERT_EQ(said.size(), 1);
-  EXPECT_THAT(said[0], testing::StartsWith("scene.sdf: 1 part of the world is left out (an error with strict: true): "
+  EXPECT_THAT(said[0], testing::StartsWith("scene.sdf: 1 part of the world is skipped (an error with strict: true): "
                                            "the joints, which have no shapes, for a fault: scene.sdf:"));
   EXPECT_THAT(said[0], HasSubstr("mast"));
   EXPECT_THAT(error_of(text), HasSubstr("mast"));
@@ -197,13 +197,13 @@ TEST_F(SdfWorldsTest, AbsentFuelModelsAreOneListWithTheCommandThatFetchesThem) {
   const std::string owner = "https://fuel.gazebosim.org/1.0/OpenRobotics/models/";
   const std::string mesh = part("visual", "w", "<mesh><uri>" + owner + "Reef/3/files/meshes/reef.dae</uri></mesh>");
   load(world(include(owner + "Big%20Rock") + include(owner + "Reef/3") + model("m", box("visual", "v") + mesh)));
-  EXPECT_THAT(said, ElementsAre("scene.sdf: 3 parts of the world are left out (an error with strict: true): "
+  EXPECT_THAT(said, ElementsAre("scene.sdf: 3 parts of the world are skipped (an error with strict: true): "
                                 "scene.sdf:2:10: include '" +
                                     owner + "Big%20Rock', scene.sdf:3:10: include '" + owner +
                                     "Reef/3', scene.sdf:4:129: visual 'm::l::w': '" + owner +
                                     "Reef/3/files/meshes/reef.dae' is not in the caches of Fuel (home/.gz/fuel, "
                                     "home/.ignition/fuel)",
-                                "scene.sdf: to fetch what is missing from Fuel: for u in '" + owner + "Big%20Rock' '" +
+                                "scene.sdf: to download missing Fuel models: for u in '" + owner + "Big%20Rock' '" +
                                     owner + "Reef/3'; do gz fuel download -u \"$u\"; done"));
 }
 

@@ -75,7 +75,7 @@ TEST_F(StonefishErrorTest, DamagedFilesAreLeftOutWithTheirReason) {
       "<origin xyz='0 0 0' rpy='0 0 0'/></physical>" +
       transform("world_transform", "0 0 0") + "</static>" + ball("a", "0 0 0"));
   ASSERT_FALSE(said.empty());
-  EXPECT_THAT(said[0], HasSubstr("pool.scn: 2 parts of the world are left out"));
+  EXPECT_THAT(said[0], HasSubstr("pool.scn: 2 parts of the world are skipped"));
   EXPECT_THAT(said[0], HasSubstr("pool.scn:2:1: <include> 'bad.scn': bad.scn:1:"));
   EXPECT_THAT(said[0], HasSubstr("pool.scn:3:1: static 'm': bad.obj:1:"));
 }

@@ -157,7 +157,7 @@ TEST_F(StonefishTest, ALinkWithoutAPlaceIsMissing) {
   const std::string robot = "<robot name='r' fixed='false'>" + link("base_link", "base") + link("link", "lost") +
                             transform("world_transform", "0 0 5") + "</robot>";
   EXPECT_THAT(names_of(load(robot)), ElementsAre("r::base"));
-  EXPECT_THAT(said, Contains("pool.scn: 1 part of the world is left out (an error with strict: true): pool.scn:3:1: "
+  EXPECT_THAT(said, Contains("pool.scn: 1 part of the world is skipped (an error with strict: true): pool.scn:3:1: "
                              "link 'lost' is joined to no link of its robot"));
   EXPECT_EQ(error_of(robot, {.strict = true}), "pool.scn:3:1: link 'lost' is joined to no link of its robot");
 }
@@ -216,7 +216,7 @@ TEST_F(StonefishTest, WhatIsIgnoredIsLeftOut) {
   EXPECT_THAT(names_of(load(all, {.ignore = {"box_?", "rov"}})), ElementsAre("floor"));
   EXPECT_THAT(names_of(load(all, {.ignore = {"rov::*", "whale"}})), ElementsAre("floor", "box_1"));
   EXPECT_THAT(said, Contains("pool.scn: ignore: 'whale' is the name of nothing in the world"));
-  EXPECT_EQ(error_of(all, {.ignore = {"*"}}), "pool.scn: there is no body to insonify but what `ignore` leaves out");
+  EXPECT_EQ(error_of(all, {.ignore = {"*"}}), "pool.scn: there is no body to insonify except what `ignore` removes");
 }
 
 TEST_F(StonefishTest, WhatIsNotReadIsTold) {
@@ -236,7 +236,7 @@ TEST_F(StonefishTest, WhatIsNotReadIsTold) {
 TEST_F(StonefishTest, WingsAreLeftOut) {
   const std::string wing = "<static name='w' type='wing'>" + transform("world_transform", "0 0 0") + "</static>";
   EXPECT_THAT(names_of(load(ball("a", "0 0 0") + wing)), ElementsAre("a"));
-  EXPECT_THAT(said, Contains("pool.scn:3:1: static 'w' is left out: insonify has no shape of type 'wing'"));
+  EXPECT_THAT(said, Contains("pool.scn:3:1: static 'w' is skipped: insonify has no shape of type 'wing'"));
 }
 
 // ---------------------------------------------------------------------------------------------------- Files
@@ -281,7 +281,7 @@ TEST_F(StonefishTest, WhatIsMissingIsLeftOut) {
   ASSERT_FALSE(said.empty());
   EXPECT_EQ(
       said[0],
-      "pool.scn: 5 parts of the world are left out (an error with strict: true): pool.scn:2:1: <include>: file = "
+      "pool.scn: 5 parts of the world are skipped (an error with strict: true): pool.scn:2:1: <include>: file = "
       "'$(find nowhere)/robot.scn': no such package above the scenario or in AMENT_PREFIX_PATH or "
       "ROS_PACKAGE_PATH; pool.scn:3:1: <include> 'gone.scn', pool.scn:4:1: static 'm': 'gone.obj' not found in the "
       "scenario's folder, those above it, their folders data, Data and resources, or those of "

@@ -77,7 +77,7 @@ TEST_F(WorldPartsTest, WhatCannotBeMadeIsLeftOutWithOneWarning) {
   EXPECT_EQ(scene.instances[0].name, "c");
   ASSERT_EQ(warnings_.size(), 1U);
   EXPECT_THAT(warnings_[0],
-              HasSubstr("the world tank: 3 parts of the world are left out (an error with strict: true): visual 'a': "
+              HasSubstr("the world tank: 3 parts of the world are skipped (an error with strict: true): visual 'a': "
                         "'file:///gone.dae' does not exist; "));
   EXPECT_THAT(warnings_[0], HasSubstr("visual 'b': <radius> = -1 m must be greater than 0 m"));
   EXPECT_THAT(warnings_[0], HasSubstr("visual 'd' reaches x = 1000000000 m"));

@@ -186,8 +186,8 @@ TEST(NoiseTest, HasTheCorrelationOfTheBeams) {
   }
 }
 
-// Intensities of filtered noise are still exponentially distributed, are drawn anew for each ping, and do not depend on
-// the number of threads.
+// Intensities of filtered noise are still exponentially distributed, are independent for each ping, and do not depend
+// on the number of threads.
 TEST(NoiseTest, IsExponentialAndDrawnAnewForEachPing) {
   Scenario scenario = noisy(listening(64), BeamPattern::kTaylor);
   scenario.sonars[0].bin_count = 2000;

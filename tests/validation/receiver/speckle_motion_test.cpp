@@ -286,7 +286,7 @@ TEST_F(SpeckleMotionTest, MeanAndContrastDoNotDependOnThePulse) {
   }
 }
 
-// From one ping to the next, a bin further on, no place on the way has the picture drawn anew.
+// From one ping to the next, a bin further on, no place on the way has the picture redrawn.
 TEST_F(SpeckleMotionTest, HasNoPlaceWhereTheWholePictureChanges) {
   set(kTone);
   double least = 1;

@@ -1,4 +1,4 @@
-// round.js -- the round picture of a scanning head: what it last heard in each direction.
+// round.js -- the round picture of a scanning head: the last ping in each direction.
 
 import { kRoundSlots, slotAt } from "../sonar.js";
 

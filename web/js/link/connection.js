@@ -4,7 +4,7 @@ const kProtocol = "insonify.viewer.v1";
 const kWaits = [0.5, 1, 2, 4, 5];  // seconds before each further try; the last one repeats
 
 /** Calls back with what the server sends. Handlers: opened(), link({state, text, reason}), text(object), binary(buffer), and
- * refused(reason) where the server wants another token: then there is no further try until `tell`. */
+ * refused(reason) if the server wants another token: then there is no further try until `tell`. */
 export class Connection {
   #handlers;
   #socket = null;

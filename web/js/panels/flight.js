@@ -1,4 +1,4 @@
-// flight.js -- adds up what keyboard, sticks and gamepad want of the vehicle, and tells the server when it changes.
+// flight.js -- sums the inputs of keyboard, sticks and gamepad, and sends changes to the server.
 
 import { byId, write } from "../dom.js";
 import { degrees, quaternionOf, radians, rollPitchYaw } from "../geometry.js";

@@ -2,7 +2,7 @@
 
 import { byId, write } from "../dom.js";
 
-/** Returns the function that asks, with a reason; `tell(token)` gets what is typed. */
+/** Returns the function that asks, with a reason; `tell(token)` gets the typed token. */
 export function setUpToken(tell) {
   const dialog = byId("token-ask");
   const field = byId("token");

@@ -101,7 +101,7 @@ export class WaterfallView {
     this.redraw();
   }
 
-  // Ages of the rows [s], newest first. Where the time begins anew, a row is as long after the one before as the last two were.
+  // Ages of the rows [s], newest first. If the time restarts, a row follows the previous one by the last interval.
   #note(time) {
     const since = time - this.time;
     this.between = since > 0 ? since : this.between ?? 0;

@@ -29,7 +29,7 @@ std::string lower(std::string_view text) {
   return result;
 }
 
-// "localhost:8765" gives localhost, "[::1]:8765" gives ::1.
+// localhost for "localhost:8765", ::1 for "[::1]:8765".
 std::string_view name_of(std::string_view host) {
   if (host.starts_with('[')) {
     const std::size_t end = host.find(']');
@@ -68,7 +68,7 @@ std::optional<std::string> token_of_query(std::string_view query) {
   return {};
 }
 
-bool tells_token(const std::string& token, const AccessRequest& request) {
+bool has_token(const std::string& token, const AccessRequest& request) {
   constexpr std::string_view kBearer = "bearer ", kProtocol = "token.";
   bool told = false;
   if (lower(request.authorization.substr(0, kBearer.size())) == kBearer) {
@@ -165,12 +165,12 @@ std::string refused_connection(const AccessRules& rules, const AccessRequest& re
     return reason;
   }
   if (!rules.token.empty()) {
-    return tells_token(rules.token, request) ? "" : "the token is missing or wrong";
+    return has_token(rules.token, request) ? "" : "the token is missing or wrong";
   }
   const std::string origin = lower(request.origin), host = lower(request.host);
   const bool own = origin.empty() || origin == "http://" + host || origin == "https://" + host;
   const bool allowed = std::ranges::any_of(rules.origins, [&](const std::string& one) { return lower(one) == origin; });
-  return own || allowed ? "" : "pages of another origin must be named by --allow-origin, or tell a token";
+  return own || allowed ? "" : "pages of another origin must be named by --allow-origin, or send a token";
 }
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// http_answers.cpp -- files of the page, and refusals.
+// http_answers.cpp -- responds with files of the page, or with errors.
 
 #include "serve/net/http_answers.h"
 

@@ -1,4 +1,4 @@
-// net_server.cpp -- accepts connections, and ends them all at a signal.
+// net_server.cpp -- accepts connections, and closes them all at a signal.
 
 #include "serve/net/net_server.h"
 
@@ -23,7 +23,7 @@ using net::ip::tcp;
 
 namespace {
 
-constexpr std::chrono::milliseconds kClosingTime{500};  // For connections at the end.
+constexpr std::chrono::milliseconds kClosingTime{500};  // For closing connections at the end.
 
 }  // namespace
 
@@ -43,7 +43,7 @@ struct NetServer::State {
         accept();
         return;
       }
-      // Out of file descriptors, perhaps: tries again, but not at once.
+      // Possibly out of file descriptors: tries again after a pause.
       retry.expires_after(std::chrono::milliseconds(100));
       retry.async_wait([this](error_code) { accept(); });
     });
@@ -75,7 +75,7 @@ struct NetServer::State {
     watch_end();
   }
 
-  // Ends as soon as the last connection has.
+  // Ends with the last connection.
   void watch_end() {
     if (shared->sessions.empty()) {
       context.stop();

@@ -1,4 +1,4 @@
-// net_server.h -- HTTP and WebSocket on one port, for any content.
+// net_server.h -- an HTTP and WebSocket server on one port, independent of the content.
 
 #pragma once
 
@@ -15,31 +15,31 @@
 
 namespace insonify {
 
-/// What goes out to clients. The bytes are shared by all clients they go to.
+/// An outgoing message. All its receivers share the bytes.
 struct OutMessage {
   std::shared_ptr<const std::string> bytes;
-  std::string head = {};  ///< Goes before them.
+  std::string head = {};  ///< Sent before the bytes.
   bool binary = false;
-  bool droppable = false;    ///< A ping: falls out of the queue when more than kQueuedPings of its stream wait.
-  std::uint32_t stream = 0;  ///< Where a connection has several.
+  bool droppable = false;    ///< A ping: dropped when more than kQueuedPings of its stream are queued.
+  std::uint32_t stream = 0;  ///< For connections with several streams.
 };
 
-/// Pings of one stream that wait for one client, at most.
+/// Largest number of queued pings per stream and client.
 inline constexpr std::size_t kQueuedPings = 4;
 
-/// One open WebSocket connection. For the server's thread only, as all here where nothing else is said.
+/// One open WebSocket connection. For the server's thread only, like everything here unless stated otherwise.
 class Connection {
  public:
   virtual ~Connection() = default;
-  /// Queues a message, and never waits. A client that lets too much other than pings wait is cut off.
+  /// Queues a message without blocking. A client with too many queued bytes other than pings is disconnected.
   virtual void send(OutMessage message) = 0;
-  /// Ends the connection once what is queued has been sent, or two seconds later.
+  /// Closes the connection once the queue is sent, or after two seconds.
   virtual void close(std::uint16_t code, std::string_view reason) = 0;
-  /// Pings that fell out of the queue.
+  /// Number of dropped pings.
   [[nodiscard]] virtual std::uint64_t dropped() const = 0;
 };
 
-/// What talks with one connection. An exception of its functions ends the connection, with its text as the reason.
+/// Handles one connection. An exception from its functions ends the connection, with its text as the reason.
 class Client {
  public:
   virtual ~Client() = default;
@@ -47,7 +47,7 @@ class Client {
   virtual void on_binary(std::string_view bytes) = 0;
 };
 
-/// A file to be served.
+/// A file to serve.
 struct ServedFile {
   std::string_view type;  ///< "text/html; charset=utf-8"
   std::string bytes;
@@ -55,12 +55,12 @@ struct ServedFile {
 
 struct NetServerOptions {
   std::string address = "127.0.0.1";
-  std::uint16_t port = 8765;  ///< 0: any that is free.
+  std::uint16_t port = 8765;  ///< 0: any free port.
   AccessRules access;
-  std::vector<std::string> protocols;  ///< Subprotocols there are.
+  std::vector<std::string> protocols;  ///< Supported subprotocols.
   /// A file by the path of its URL, decoded: "/index.html".
   std::function<std::optional<ServedFile>(std::string_view path)> file;
-  /// A client has come. Never returns null.
+  /// Called for a new client. Never returns null.
   std::function<std::unique_ptr<Client>(Connection& connection, const std::string& protocol)> client;
 };
 
@@ -75,15 +75,16 @@ class NetServer {
 
   [[nodiscard]] std::uint16_t port() const;
 
-  /// From here on SIGINT and SIGTERM end run(), also where it has not begun yet.
+  /// From now on SIGINT and SIGTERM end run(), even before it has started.
   void watch_signals();
-  /// Serves until a signal or stop(); then closes all connections, within a second. Clients are gone when it returns.
+  /// Serves until a signal or stop(), then closes all connections within a second. Destroys all clients before it
+  /// returns.
   void run();
   /// From any thread.
   void stop();
-  /// Has the server's thread call a function. From any thread.
+  /// Posts a function to the server's thread. From any thread.
   void post(std::function<void()> function);
-  /// Has the server's thread call a function again and again.
+  /// Calls a function periodically in the server's thread.
   void every(std::chrono::milliseconds interval, std::function<void()> function);
 
  private:

@@ -28,8 +28,8 @@ using net::ip::tcp;
 constexpr std::size_t kMostConnections = 256;
 constexpr std::uint32_t kLongestHeader = 16 * 1024;  // [bytes]
 constexpr std::size_t kLongestFrame = 1'000'000;     // Longest frame of a client [bytes].
-constexpr std::chrono::seconds kRequestTime{10};     // For a whole request to come in.
-constexpr std::chrono::seconds kIdleTime{30};        // Without a sign of life of a WebSocket.
+constexpr std::chrono::seconds kRequestTime{10};     // For receiving a whole request.
+constexpr std::chrono::seconds kIdleTime{30};        // Timeout of a silent WebSocket.
 constexpr std::size_t kLongestReason = 120;          // Longest reason in a close frame [bytes].
 
 class Session : public std::enable_shared_from_this<Session>, public NetSession {
@@ -98,8 +98,8 @@ class Session : public std::enable_shared_from_this<Session>, public NetSession 
   [[nodiscard]] bool waits_for_request() const override { return waits_for_request_; }
 
  private:
-  // Cuts off the connection that has waited longest without a whole request: those that ask for nothing keep out no
-  // others.
+  // Disconnects the oldest connection without a complete request, so that idle connections do not keep others
+  // out.
   [[nodiscard]] bool make_room() const {
     const auto found = std::ranges::find_if(shared_->sessions, &NetSession::waits_for_request);
     if (found == shared_->sessions.end()) {
@@ -198,7 +198,7 @@ class Session : public std::enable_shared_from_this<Session>, public NetSession 
     read_frame();
   }
 
-  // Ends the connection where the client's handler fails.
+  // Ends the connection if the client's handler fails.
   template <typename Function>
   void guarded(Function&& function) {
     try {
@@ -208,8 +208,8 @@ class Session : public std::enable_shared_from_this<Session>, public NetSession 
     }
   }
 
-  // The limit of messages is kept here, not by Beast: that resets a connection whose client still sends, which then
-  // does not get to read the reason.
+  // The size of messages is limited here, not by Beast: Beast resets the connection while the client still sends, so
+  // that the client never reads the reason.
   void read_frame() {
     websocket_.async_read_some(buffer_, kLongestFrame, [self = shared_from_this()](error_code failure, std::size_t) {
       if (failure) {
@@ -266,7 +266,7 @@ class Session : public std::enable_shared_from_this<Session>, public NetSession 
     });
   }
 
-  // Once all has been sent that came before.
+  // Once everything queued before is sent.
   void send_close() {
     if (!ending_ || !open_ || close_sent_) {
       return;

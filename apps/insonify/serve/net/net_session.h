@@ -1,4 +1,4 @@
-// net_session.h -- one connection: HTTP requests, until one of them opens a WebSocket.
+// net_session.h -- one connection: HTTP requests, until one opens a WebSocket.
 
 #pragma once
 
@@ -10,25 +10,25 @@
 
 namespace insonify {
 
-/// A connection as the server sees it.
+/// The server's interface to a connection.
 class NetSession : public Connection {
  public:
   virtual void start() = 0;
   virtual void forget_client() = 0;
-  /// At the end of the server: tells a WebSocket so, and cuts off others.
+  /// Called when the server ends: closes a WebSocket with a reason, and disconnects others.
   virtual void shut() = 0;
   virtual void cut_off() = 0;
-  /// Whether it has yet to send a whole request.
+  /// Whether it has not sent a complete request yet.
   [[nodiscard]] virtual bool waits_for_request() const = 0;
 };
 
-/// What sessions share.
+/// State shared by sessions.
 struct NetShared {
   NetServerOptions options;
-  std::vector<NetSession*> sessions;  ///< All there are, in the order they came.
+  std::vector<NetSession*> sessions;  ///< All sessions, oldest first.
 };
 
-/// It lives as long as its connection.
+/// Lives as long as its connection.
 [[nodiscard]] std::shared_ptr<NetSession> make_session(boost::asio::ip::tcp::socket socket,
                                                        std::shared_ptr<NetShared> shared);
 

@@ -1,4 +1,4 @@
-// out_queue.cpp -- bounds what waits for a client that reads slowly.
+// out_queue.cpp -- bounds the queue of a slow client.
 
 #include "serve/net/out_queue.h"
 
@@ -7,7 +7,7 @@
 namespace insonify {
 namespace {
 
-constexpr std::size_t kMostWaiting = 64 * 1024 * 1024;  // Besides pings [bytes].
+constexpr std::size_t kMostWaiting = 64 * 1024 * 1024;  // Without pings [bytes].
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// out_queue.h -- messages that wait for one client.
+// out_queue.h -- the queue of messages to one client.
 
 #pragma once
 
@@ -10,19 +10,19 @@
 
 namespace insonify {
 
-/// First in, first out, where of each stream of pings the oldest fall out.
+/// First in, first out; drops the oldest pings of a stream.
 class OutQueue {
  public:
-  /// Adds a message. A ping that finds kQueuedPings of its stream waiting drops the oldest of them; the one that is
-  /// being sent stays.
-  /// @return  False where too many bytes other than pings wait.
+  /// Adds a message. If kQueuedPings of its stream are queued, a ping replaces the oldest that is not being
+  /// sent.
+  /// @return  False if too many bytes other than pings are queued.
   [[nodiscard]] bool push(OutMessage message);
 
   [[nodiscard]] bool empty() const { return messages_.empty(); }
 
-  /// Begins to send the first message.
+  /// Returns the first message for sending.
   [[nodiscard]] const OutMessage& begin_sending();
-  /// The message is sent: it leaves the queue.
+  /// Removes the message that has been sent.
   void end_sending();
   [[nodiscard]] bool sending() const { return sending_; }
 
@@ -30,14 +30,14 @@ class OutQueue {
   void drop_pings();
   void clear() { messages_.clear(); }
 
-  /// Pings that fell out because others came.
+  /// Number of dropped pings.
   [[nodiscard]] std::uint64_t dropped() const { return dropped_; }
 
  private:
   std::deque<OutMessage> messages_;
-  OutMessage sent_;  // Stays alive while it is being sent, whatever happens to the queue.
+  OutMessage sent_;  // Kept alive while it is being sent.
   bool sending_ = false;
-  std::size_t waiting_bytes_ = 0;  // Besides pings.
+  std::size_t waiting_bytes_ = 0;  // Without pings.
   std::uint64_t dropped_ = 0;
 };
 

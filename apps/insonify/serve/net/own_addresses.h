@@ -1,4 +1,4 @@
-// own_addresses.h -- addresses under which other machines reach this one.
+// own_addresses.h -- addresses at which other machines reach this one.
 
 #pragma once
 
@@ -7,8 +7,8 @@
 
 namespace insonify {
 
-/// Numeric addresses of the network interfaces that are up, without loopback and link-local ones: IPv4, and after
-/// them IPv6 where that is wanted. Where there is none, the name of this machine.
+/// Numeric addresses of the active network interfaces except loopback and link-local ones: IPv4, then IPv6 if
+/// requested. The name of this machine if there are none.
 [[nodiscard]] std::vector<std::string> own_addresses(bool with_ipv6);
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// road_loop.h -- runs the tasks of what stands for a sonar to other programs, until it is asked to end.
+// event_loop.h -- the event loop of bridges and emulated instruments.
 
 #pragma once
 
@@ -6,14 +6,14 @@
 #include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
 
-#include "road/road_report.h"
+#include "transport/transport_report.h"
 
 namespace insonify {
 
-class RoadLoop {
+class EventLoop {
  public:
   /// @param report  Printed at SIGUSR1; must live as long as the loop.
-  explicit RoadLoop(const RoadReport& report);
+  explicit EventLoop(const TransportReport& report);
 
   [[nodiscard]] boost::asio::io_context& context() { return context_; }
 
@@ -24,7 +24,7 @@ class RoadLoop {
   void watch_stop();
   void watch_report();
 
-  const RoadReport& report_;
+  const TransportReport& report_;
   boost::asio::io_context context_{1};
   boost::asio::steady_timer stop_timer_{context_};
   boost::asio::signal_set report_signal_{context_};

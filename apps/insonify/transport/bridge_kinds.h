@@ -1,12 +1,12 @@
-// bridge_kinds.h -- what each bridge adds to the command line.
+// bridge_kinds.h -- each bridge's own command-line options.
 
 #pragma once
 
-#include "road/bridge_options.h"
+#include "transport/bridge_options.h"
 
 namespace insonify {
 
-/// Each is in a file of its own: kind_ros1.cpp ...
+/// Each is in its own file: kind_ros1.cpp ...
 [[nodiscard]] BridgeKind ros1_kind();
 [[nodiscard]] BridgeKind dds_kind();
 [[nodiscard]] BridgeKind gazebo_kind();
@@ -15,7 +15,7 @@ namespace insonify {
 void add_odometry_option(CLI::App& command, BridgeRequest& request);
 /// Adds --tf, instead of --odometry.
 void add_tf_option(CLI::App& command, BridgeRequest& request);
-/// Adds --clock. @param usual  What holds without it, for the help.
+/// Adds --clock. @param usual  The default, for the help.
 void add_clock_option(CLI::App& command, BridgeRequest& request, const char* usual);
 
 }  // namespace insonify

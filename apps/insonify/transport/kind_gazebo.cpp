@@ -3,13 +3,13 @@
 #include <CLI/CLI.hpp>
 
 #include "console/validators.h"
-#include "road/bridge_kinds.h"
+#include "transport/bridge_kinds.h"
 
 namespace insonify {
 namespace {
 
 void add_gazebo_options(CLI::App& command, BridgeRequest& request) {
-  command.add_option("--world", request.world, "Name of Gazebo's world [the only one there is]")
+  command.add_option("--world", request.world, "Name of the Gazebo world [the only one]")
       ->check(not_empty("a world, such as tank"))
       ->type_name("NAME");
   command
@@ -22,7 +22,7 @@ void add_gazebo_options(CLI::App& command, BridgeRequest& request) {
       ->take_all();
   command
       .add_option("--clock", request.clock,
-                  "Whose time pings keep: wall, or simulated, that of Gazebo's messages about poses [simulated]")
+                  "Clock of the pings: wall, or simulated, that of Gazebo's pose messages [simulated]")
       ->check(one_of({"wall", "simulated"}))
       ->type_name("NAME");
 }
@@ -31,7 +31,7 @@ void add_gazebo_options(CLI::App& command, BridgeRequest& request) {
 
 BridgeKind gazebo_kind() {
   return {.name = "gazebo",
-          .help = "Follow a world of Gazebo's: its models and their poses, pictures back on its topics",
+          .help = "Follow a Gazebo world: its models and their poses; publish pictures on its topics",
           .packages = "libignition-transport-dev libignition-msgs-dev",
           .footer =
               "SCENARIO may be the SDF world itself, with sonars in it. Topics, below the sonar's name:\n"

@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "road/bridge_kinds.h"
+#include "transport/bridge_kinds.h"
 
 namespace insonify {
 namespace {
@@ -10,7 +10,7 @@ namespace {
 void add_ros1_options(CLI::App& command, BridgeRequest& request) {
   add_odometry_option(command, request);
   add_tf_option(command, request);
-  add_clock_option(command, request, "as the parameter /use_sim_time says");
+  add_clock_option(command, request, "by the parameter /use_sim_time");
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // bridge_program_test.cpp -- command lines of bridges whose options may come from elsewhere too.
 
-#include "road/bridge_program.h"
+#include "transport/bridge_program.h"
 
 #include <gmock/gmock.h>
 

@@ -1,6 +1,6 @@
-// bridge_test.cpp -- pings of a live scenario as messages on a road of the test's own.
+// bridge_test.cpp -- pings of a live scenario as messages on a transport that records them.
 
-#include "road/bridge.h"
+#include "transport/bridge.h"
 
 #include <gmock/gmock.h>
 
@@ -34,8 +34,8 @@ struct Sent {
   std::vector<std::byte> message;
 };
 
-// Keeps what is sent, and fails or waits as told.
-class KeptRoad : public Road {
+// Records sent messages, and fails or waits as configured.
+class RecordingTransport : public Transport {
  public:
   void begin(const LiveWorld& world) override {
     const std::lock_guard lock(mutex_);
@@ -56,7 +56,7 @@ class KeptRoad : public Road {
     std::this_thread::sleep_for(takes);
     const std::lock_guard lock(mutex_);
     if (channels_[channel].kind != MessageKind::kScenario && fails-- > 0) {
-      throw std::runtime_error("the road is closed");
+      throw std::runtime_error("the transport is closed");
     }
     sent_.push_back({sonar, channel, time_ns, message});
     changed_.notify_all();
@@ -105,12 +105,12 @@ class BridgeTest : public testing::Test {
   BridgeTest() { folder_.write("dive.yaml", kScenario); }
 
   std::unique_ptr<Bridge> bridge(const LiveOptions& live = {}) {
-    return std::make_unique<Bridge>(BridgeOptions{.scenario = "dive.yaml", .live = live, .quiet = true}, road_,
+    return std::make_unique<Bridge>(BridgeOptions{.scenario = "dive.yaml", .live = live, .quiet = true}, transport_,
                                     MessageForm::kRos1);
   }
 
   WorkingFolder folder_;
-  KeptRoad road_;
+  RecordingTransport transport_;
 };
 
 double seconds_since(Clock::time_point start) {
@@ -127,7 +127,7 @@ std::uint32_t sequence(const Sent& sent) {
 TEST_F(BridgeTest, SendsEveryPingInOrder) {
   const auto bridge = this->bridge();
   bridge->start();
-  const std::vector<Sent> images = road_.wait_for(MessageKind::kSonarImage, 20);
+  const std::vector<Sent> images = transport_.wait_for(MessageKind::kSonarImage, 20);
   bridge->end();
   for (std::size_t i = 0; i < images.size(); ++i) {
     EXPECT_EQ(sequence(images[i]), i);
@@ -139,28 +139,28 @@ TEST_F(BridgeTest, SendsEveryPingInOrder) {
 TEST_F(BridgeTest, OpensAndTellsTheScenarioBeforeThereIsAPing) {
   const auto bridge = this->bridge({.driven = true});
   bridge->start();
-  EXPECT_EQ(road_.wait_for(MessageKind::kScenario, 1).size(), 1U);
-  EXPECT_EQ(road_.opened(), 1);
+  EXPECT_EQ(transport_.wait_for(MessageKind::kScenario, 1).size(), 1U);
+  EXPECT_EQ(transport_.opened(), 1);
   bridge->end();
-  EXPECT_EQ(road_.all().size(), 1U);
+  EXPECT_EQ(transport_.all().size(), 1U);
 }
 
 TEST_F(BridgeTest, WhatNobodyReadsIsNotSent) {
-  road_.read.reset();
+  transport_.read.reset();
   const auto bridge = this->bridge();
   bridge->start();
   std::this_thread::sleep_for(std::chrono::milliseconds(150));
   bridge->end();
   EXPECT_GE(bridge->loop().state().pings_made, 3U);
-  EXPECT_EQ(road_.all().size(), 1U);  // The scenario.
+  EXPECT_EQ(transport_.all().size(), 1U);  // The scenario.
 }
 
 // A ping takes 60 ms to be sent, and one comes each 10 ms: five wait at most, and all others are counted.
-TEST_F(BridgeTest, ARoadThatIsTooSlowMakesNoQueue) {
-  road_.takes = std::chrono::milliseconds(60);
+TEST_F(BridgeTest, ATransportThatIsTooSlowMakesNoQueue) {
+  transport_.takes = std::chrono::milliseconds(60);
   const auto bridge = this->bridge();
   bridge->start();
-  const std::vector<Sent> images = road_.wait_for(MessageKind::kSonarImage, 8);
+  const std::vector<Sent> images = transport_.wait_for(MessageKind::kSonarImage, 8);
   const std::uint64_t made = bridge->loop().state().pings_made;
   bridge->end();
   EXPECT_LE(made - sequence(images.back()), Bridge::kMostWaiting + 8);
@@ -172,15 +172,15 @@ TEST_F(BridgeTest, ARoadThatIsTooSlowMakesNoQueue) {
   EXPECT_GE(dropped, sequence(images.back()) + 1.0 - static_cast<double>(images.size()));
 }
 
-TEST_F(BridgeTest, SurvivesARoadThatFails) {
-  road_.fails = 3;
+TEST_F(BridgeTest, SurvivesATransportThatFails) {
+  transport_.fails = 3;
   const auto bridge = this->bridge();
   testing::internal::CaptureStderr();
   bridge->start();
-  const std::vector<Sent> images = road_.wait_for(MessageKind::kSonarImage, 2);
+  const std::vector<Sent> images = transport_.wait_for(MessageKind::kSonarImage, 2);
   bridge->end();
   EXPECT_EQ(sequence(images.front()), 3U);
-  EXPECT_EQ(testing::internal::GetCapturedStderr(), "insonify: the road is closed\n");  // Once.
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "insonify: the transport is closed\n");  // Once.
 }
 
 TEST_F(BridgeTest, MessagesHaveTheStampOfThePose) {
@@ -188,7 +188,7 @@ TEST_F(BridgeTest, MessagesHaveTheStampOfThePose) {
   bridge->start();
   const Pose pose{Vec3(0.5, 0, 0), Eigen::Quaterniond::Identity()};
   bridge->loop().drive({.world_from_vehicle = pose, .stamp = 70});
-  const std::vector<Sent> images = road_.wait_for(MessageKind::kSonarImage, 3);
+  const std::vector<Sent> images = transport_.wait_for(MessageKind::kSonarImage, 3);
   EXPECT_EQ(images[0].time_ns, 70'000'000'000U);
   for (std::size_t i = 1; i < images.size(); ++i) {  // From the same pose, later.
     EXPECT_NEAR(1e-9 * static_cast<double>(images[i].time_ns), 70.0 + 0.01 * static_cast<double>(i), 2.0);
@@ -201,19 +201,20 @@ TEST_F(BridgeTest, WithAClockMessagesHaveItsTime) {
   bridge->start();
   for (int i = 0; i < 3; ++i) {
     bridge->loop().advance(500 + 0.01 * i);
-    EXPECT_NEAR(1e-9 * static_cast<double>(
-                           road_.wait_for(MessageKind::kSonarImage, static_cast<std::size_t>(i) + 1).back().time_ns),
-                500 + 0.01 * i, 1e-6);
+    EXPECT_NEAR(
+        1e-9 * static_cast<double>(
+                   transport_.wait_for(MessageKind::kSonarImage, static_cast<std::size_t>(i) + 1).back().time_ns),
+        500 + 0.01 * i, 1e-6);
   }
 }
 
 TEST_F(BridgeTest, GainLowersTheLevelsOfValues) {
   const auto bridge = this->bridge();
   bridge->start();
-  const std::vector<std::byte> before = road_.wait_for(MessageKind::kSonarImage, 1).back().message;
+  const std::vector<std::byte> before = transport_.wait_for(MessageKind::kSonarImage, 1).back().message;
   bridge->set_gain(0, 12);
-  const std::size_t so_far = road_.all().size();
-  const std::vector<std::byte> after = road_.wait_for(MessageKind::kSonarImage, so_far + 6).back().message;
+  const std::size_t so_far = transport_.all().size();
+  const std::vector<std::byte> after = transport_.wait_for(MessageKind::kSonarImage, so_far + 6).back().message;
   ASSERT_EQ(after.size(), before.size());
   const auto sum = [](const std::vector<std::byte>& message) {  // Sum of the values, the last field.
     double all = 0;

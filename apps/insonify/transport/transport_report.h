@@ -1,4 +1,4 @@
-// road_report.h -- counts the pings that go out to other programs, with their rate and latency.
+// transport_report.h -- rate and latency of the pings sent to other programs.
 
 #pragma once
 
@@ -17,12 +17,12 @@ using WallClock = std::chrono::steady_clock;
   return std::chrono::duration_cast<WallClock::duration>(std::chrono::duration<double>(seconds));
 }
 
-/// May be used by several threads.
-class RoadReport {
+/// Thread-safe.
+class TransportReport {
  public:
   /// Notes a ping whose message has just been sent.
-  /// @param transmitted  When it was transmitted: the time of the pose that it was made from.
-  /// @param computing    Time that the simulation took [s].
+  /// @param transmitted  Time of transmission: that of the pose that it was made from.
+  /// @param computing    Computing time [s].
   void note(WallClock::time_point transmitted, double computing);
 
   void note_refusal();

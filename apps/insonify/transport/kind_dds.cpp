@@ -1,9 +1,9 @@
-// kind_dds.cpp -- the command line of the bridge to DDS, as ROS 2 speaks it.
+// kind_dds.cpp -- the command line of the bridge to ROS 2 over DDS.
 
 #include <CLI/CLI.hpp>
 
 #include "console/validators.h"
-#include "road/bridge_kinds.h"
+#include "transport/bridge_kinds.h"
 
 namespace insonify {
 namespace {
@@ -23,7 +23,7 @@ void add_dds_options(CLI::App& command, BridgeRequest& request) {
       ->check(whole_number(0, 232))
       ->type_name("N")
       ->group(network);
-  command.add_flag("--local", options.local, "Talk with programs on this machine alone; needs no multicast")
+  command.add_flag("--local", options.local, "Talk only to programs on this machine; needs no multicast")
       ->group(network);
   command.add_option("--peer", options.peers, "Address of a machine that multicast does not reach; may be repeated")
       ->check(not_empty("an address, such as 192.168.2.3"))
@@ -32,8 +32,7 @@ void add_dds_options(CLI::App& command, BridgeRequest& request) {
       ->take_all()
       ->group(network);
   command
-      .add_flag("--best-effort", options.best_effort,
-                "Do not send again what gets lost; nodes that want every message then get none")
+      .add_flag("--best-effort", options.best_effort, "Do not resend lost messages; reliable subscribers then get none")
       ->group(network);
 }
 

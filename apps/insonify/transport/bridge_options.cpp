@@ -1,6 +1,6 @@
-// bridge_options.cpp -- options that all bridges have, and the list of bridges.
+// bridge_options.cpp -- options common to all bridges, and the list of bridges.
 
-#include "road/bridge_options.h"
+#include "transport/bridge_options.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,7 +11,7 @@
 #include "console/levels.h"
 #include "console/outcome.h"
 #include "console/validators.h"
-#include "road/bridge_kinds.h"
+#include "transport/bridge_kinds.h"
 
 namespace insonify {
 
@@ -30,15 +30,16 @@ void add_bridge_options(CLI::App& command, const BridgeKind& kind, BridgeRequest
   command.add_option("--set", options.settings, "Change a key of the scenario, such as max_range=20; may be repeated")
       ->type_name("KEY=VALUE")
       ->expected(1)
-      ->allow_extra_args(false)  // Words for ROS may follow.
+      ->allow_extra_args(false)  // Arguments for ROS may follow.
       ->take_all();
-  command.add_option("--rate", options.live.rate_limit, "Most pings a second of each sonar [the sonar's own rate]")
+  command
+      .add_option("--rate", options.live.rate_limit, "Limit of pings per second of each sonar [the sonar's own rate]")
       ->check(number_within(above_to(0, 1000)))
       ->type_name("HZ");
   command.add_option("--threads", options.live.threads, "Worker threads; 0 for as many as there are processors [0]")
       ->check(whole_number(0, 1024))
       ->type_name("N");
-  command.add_flag("-q,--quiet", options.quiet, "Say nothing but warnings and errors");
+  command.add_flag("-q,--quiet", options.quiet, "Print only warnings and errors");
 
   const std::string messages = "Messages";
   command.add_option("--bits", options.messages.bits, "Bits of the values of sonar images, 8 or 16 [16]")

@@ -1,6 +1,6 @@
-// bridge.cpp -- a queue of pings that never grows, and the messages of each.
+// bridge.cpp -- queues pings, up to a limit, and encodes and sends their messages.
 
-#include "road/bridge.h"
+#include "transport/bridge.h"
 
 #include <algorithm>
 #include <chrono>
@@ -16,7 +16,7 @@ double unix_time() {
   return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
-// The same moment by the clock of the report.
+// A Unix time by the report's clock.
 WallClock::time_point wall_time(double unix) {
   return WallClock::now() -
          std::chrono::duration_cast<WallClock::duration>(std::chrono::duration<double>(unix_time() - unix));
@@ -24,8 +24,8 @@ WallClock::time_point wall_time(double unix) {
 
 }  // namespace
 
-Bridge::Bridge(const BridgeOptions& options, Road& road, MessageForm form)
-    : options_(options), road_(road), form_(form) {
+Bridge::Bridge(const BridgeOptions& options, Transport& transport, MessageForm form)
+    : options_(options), transport_(transport), form_(form) {
   const Log log = [quiet = options.quiet](Severity severity, const std::string& message) {
     if (severity == Severity::kWarning) {
       complain("warning: " + message);
@@ -93,7 +93,7 @@ void Bridge::on_note(const std::string& text) {
   complain(text);
 }
 
-// A framework that fails fails at every ping: each reason is told once, until another one.
+// A failing framework fails at every ping: repeated problems are reported once.
 void Bridge::complain_once(const std::string& problem) {
   if (problem != last_problem_) {
     complain(problem);
@@ -132,7 +132,7 @@ void Bridge::translate() {
       } else if (!world_ || world_->change < world->change) {
         open(*world);
         world_ = world;
-        tell_scenario(static_cast<std::uint64_t>(unix_time() * 1e9));
+        send_scenario(static_cast<std::uint64_t>(unix_time() * 1e9));
       }
     } catch (const std::exception& error) {
       complain_once(error.what());
@@ -153,28 +153,28 @@ MessageOptions Bridge::options_of(const MessageSource& source, std::size_t sonar
 }
 
 void Bridge::open(const LiveWorld& world) {
-  told_scenario_ = false;
+  sent_scenario_ = false;
   messages_.clear();
-  road_.begin(world);
+  transport_.begin(world);
   for (const SonarConfig& sonar : world.sonars) {
     const MessageSource source = message_source(world.scenario, sonar);
     messages_.emplace_back(source, options_of(source, messages_.size()), form_);
-    road_.open(messages_.size() - 1, messages_.back().channels());
+    transport_.open(messages_.size() - 1, messages_.back().channels());
   }
 }
 
-void Bridge::tell_scenario(std::uint64_t time_ns) {
+void Bridge::send_scenario(std::uint64_t time_ns) {
   const std::vector<MessageChannel>& channels = messages_.front().channels();
-  for (std::size_t channel = 0; channel < channels.size() && !told_scenario_; ++channel) {
+  for (std::size_t channel = 0; channel < channels.size() && !sent_scenario_; ++channel) {
     if (channels[channel].kind == MessageKind::kScenario) {
-      road_.send(0, channel, time_ns, messages_.front().encode(channel));
-      told_scenario_ = true;
+      transport_.send(0, channel, time_ns, messages_.front().encode(channel));
+      sent_scenario_ = true;
     }
   }
 }
 
-// A message is stamped with the time of the pose that its ping was made from. Further pings from the same pose are
-// later by the time between them. Along the scenario's own trajectory the stamp is the clock's at transmission.
+// A message has the stamp of the pose that its ping was made from. Further pings from the same pose are later by the
+// interval between them. On the scenario's own trajectory, the stamp is the time of transmission.
 void Bridge::send(const LivePing& live) {
   if (!world_ || live.world->change != world_->change) {
     open(*live.world);
@@ -183,18 +183,18 @@ void Bridge::send(const LivePing& live) {
   const auto sonar = static_cast<std::size_t>(live.sonar);
   SonarMessages& messages = messages_[sonar];
   const double transmitted = live.made_at - live.computing_time;
-  const bool told = live.told_at > 0;
-  const bool new_pose = told && std::exchange(told_at_[live.sonar], live.told_at) != live.told_at;
-  const double by_clock =
-      options_.live.clocked ? std::max(live.clock, live.stamp) : transmitted + (told ? live.stamp - live.told_at : 0);
+  const bool told = live.received_at > 0;
+  const bool new_pose = told && std::exchange(received_at_[live.sonar], live.received_at) != live.received_at;
+  const double by_clock = options_.live.clocked ? std::max(live.clock, live.stamp)
+                                                : transmitted + (told ? live.stamp - live.received_at : 0);
   messages.take(live.ping, new_pose ? live.stamp : by_clock);
-  tell_scenario(messages.time_ns());
+  send_scenario(messages.time_ns());
   for (std::size_t channel = 0; channel < messages.channels().size(); ++channel) {
-    if (messages.channels()[channel].kind != MessageKind::kScenario && road_.is_read(sonar, channel)) {
-      road_.send(sonar, channel, messages.time_ns(), messages.encode(channel));
+    if (messages.channels()[channel].kind != MessageKind::kScenario && transport_.is_read(sonar, channel)) {
+      transport_.send(sonar, channel, messages.time_ns(), messages.encode(channel));
     }
   }
-  report_.note(wall_time(new_pose ? live.told_at : transmitted), live.computing_time);
+  report_.note(wall_time(new_pose ? live.received_at : transmitted), live.computing_time);
 }
 
 }  // namespace insonify

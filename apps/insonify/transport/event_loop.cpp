@@ -1,6 +1,6 @@
-// road_loop.cpp -- looks for requests to end, and prints the report when asked.
+// event_loop.cpp -- polls for a request to stop, and prints the report at SIGUSR1.
 
-#include "road/road_loop.h"
+#include "transport/event_loop.h"
 
 #include <csignal>
 
@@ -12,11 +12,11 @@ namespace insonify {
 
 using boost::system::error_code;
 
-RoadLoop::RoadLoop(const RoadReport& report) : report_(report) {
+EventLoop::EventLoop(const TransportReport& report) : report_(report) {
   report_signal_.add(SIGUSR1);
 }
 
-void RoadLoop::run() {
+void EventLoop::run() {
   watch_stop();
   watch_report();
   try {
@@ -26,13 +26,13 @@ void RoadLoop::run() {
   }
 }
 
-void RoadLoop::watch_stop() {
+void EventLoop::watch_stop() {
   constexpr std::chrono::milliseconds kInterval{50};
   stop_timer_.expires_after(kInterval);
   stop_timer_.async_wait([this](error_code) { stop_asked() ? context_.stop() : watch_stop(); });
 }
 
-void RoadLoop::watch_report() {
+void EventLoop::watch_report() {
   report_signal_.async_wait([this](error_code failure, int) {
     if (!failure) {
       say("{}\n", report_.text());

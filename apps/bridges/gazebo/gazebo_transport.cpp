@@ -1,6 +1,6 @@
-// gazebo_road.cpp -- makes two publishers for each topic.
+// gazebo_transport.cpp -- makes two publishers for each topic.
 
-#include "gazebo/gazebo_road.h"
+#include "gazebo/gazebo_transport.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 
 namespace insonify {
 
-void GazeboRoad::open(std::size_t sonar, const std::vector<MessageChannel>& channels) {
+void GazeboTransport::open(std::size_t sonar, const std::vector<MessageChannel>& channels) {
   channels_.resize(std::max(channels_.size(), sonar + 1));
   channels_[sonar].clear();
   for (const MessageChannel& channel : channels) {
@@ -33,11 +33,11 @@ void GazeboRoad::open(std::size_t sonar, const std::vector<MessageChannel>& chan
   }
 }
 
-bool GazeboRoad::is_read(std::size_t sonar, std::size_t channel) const {
+bool GazeboTransport::is_read(std::size_t sonar, std::size_t channel) const {
   return channels_.at(sonar).at(channel)->is_read();
 }
 
-void GazeboRoad::publish(Topic& topic, const std::string& bytes) {
+void GazeboTransport::publish(Topic& topic, const std::string& bytes) {
   for (auto& [publisher, type] :
        {std::pair<Publisher&, std::string&>(topic.gz, topic.gz_type), {topic.ignition, topic.ignition_type}}) {
     if (publisher.HasConnections() && !publisher.PublishRaw(bytes, type)) {
@@ -46,7 +46,7 @@ void GazeboRoad::publish(Topic& topic, const std::string& bytes) {
   }
 }
 
-void GazeboRoad::remind_of_scenario() {
+void GazeboTransport::remind_of_scenario() {
   if (scenario_ == nullptr || scenario_message_.empty()) {
     return;
   }
@@ -59,8 +59,8 @@ void GazeboRoad::remind_of_scenario() {
   }
 }
 
-void GazeboRoad::send(std::size_t sonar, std::size_t channel, std::uint64_t /*time_ns*/,
-                      const std::vector<std::byte>& message) {
+void GazeboTransport::send(std::size_t sonar, std::size_t channel, std::uint64_t /*time_ns*/,
+                           const std::vector<std::byte>& message) {
   Topic& topic = *channels_.at(sonar).at(channel);
   std::string bytes(reinterpret_cast<const char*>(message.data()), message.size());
   publish(topic, bytes);

@@ -1,6 +1,6 @@
 // bridge_program.cpp -- parses the command line of a bridge and runs it.
 
-#include "road/bridge_program.h"
+#include "transport/bridge_program.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,7 +15,7 @@
 namespace insonify {
 namespace {
 
-// The command line of a bridge, and what it has read.
+// The command line of a bridge and its parsed values.
 struct BridgeParser {
   explicit BridgeParser(const BridgeKind& its_kind)
       : kind(its_kind), command(kind.help, fmt::format("insonify bridge {}", kind.name)) {
@@ -23,9 +23,9 @@ struct BridgeParser {
     add_bridge_options(command, kind, request);
   }
 
-  // Throws CLI::CallForHelp, and InputError for what is wrong.
+  // Throws CLI::CallForHelp, and InputError for invalid arguments.
   void parse(std::vector<std::string> words) {
-    std::ranges::reverse(words);  // As CLI11 takes them.
+    std::ranges::reverse(words);  // CLI11 expects them reversed.
     try {
       command.parse(std::move(words));
     } catch (const CLI::CallForHelp&) {

@@ -1,6 +1,6 @@
-// set_request.cpp -- splits the text of a message into settings and puts the loop's answer into words.
+// set_request.cpp -- splits a message into settings and formats the loop's reply.
 
-#include "road/set_request.h"
+#include "transport/set_request.h"
 
 #include <fmt/format.h>
 

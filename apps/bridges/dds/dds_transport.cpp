@@ -1,6 +1,6 @@
-// dds_road.cpp -- makes a writer for each topic.
+// dds_transport.cpp -- makes a writer for each topic.
 
-#include "dds/dds_road.h"
+#include "dds/dds_transport.h"
 
 #include <algorithm>
 #include <utility>
@@ -11,8 +11,8 @@
 namespace insonify {
 namespace {
 
-// How ROS 2 has these topics. A reader that asks for less, as one of sensor data does, is served too; one that asks for
-// more is not.
+// ROS 2's quality of service for these topics. It matches readers that request less, such as those of sensor data, but
+// not readers that request more.
 DdsQos qos_of(const MessageChannel& channel, bool best_effort) {
   constexpr int kKept = 10, kKeptTransforms = 100;
   DdsQos qos(dds_create_qos());
@@ -27,7 +27,7 @@ DdsQos qos_of(const MessageChannel& channel, bool best_effort) {
 
 }  // namespace
 
-void DdsRoad::open(std::size_t sonar, const std::vector<MessageChannel>& channels) {
+void DdsTransport::open(std::size_t sonar, const std::vector<MessageChannel>& channels) {
   channels_.resize(std::max(channels_.size(), sonar + 1));
   channels_[sonar].clear();
   for (const MessageChannel& channel : channels) {
@@ -36,7 +36,7 @@ void DdsRoad::open(std::size_t sonar, const std::vector<MessageChannel>& channel
     if (found == writers_.end()) {
       RawTopic topic(participant_, name, dds_type_name(channel.type), nullptr);
       const DdsQos qos = qos_of(channel, best_effort_);
-      tell_type_hash(qos.get(), dds_type_name(channel.type));
+      add_type_hash(qos.get(), dds_type_name(channel.type));
       DdsEntity writer(dds_create_writer(participant_, topic.get(), qos.get(), nullptr),
                        fmt::format("make a writer of {}", name));
       found = writers_.emplace(name, Writer{channel.topic, std::move(topic), std::move(writer)}).first;
@@ -45,19 +45,19 @@ void DdsRoad::open(std::size_t sonar, const std::vector<MessageChannel>& channel
   }
 }
 
-bool DdsRoad::is_read(std::size_t sonar, std::size_t channel) const {
+bool DdsTransport::is_read(std::size_t sonar, std::size_t channel) const {
   dds_publication_matched_status_t status{};
   return dds_get_publication_matched_status(writer(sonar, channel).writer.get(), &status) == DDS_RETCODE_OK &&
          status.current_count > 0;
 }
 
-void DdsRoad::send(std::size_t sonar, std::size_t channel, std::uint64_t /*time_ns*/,
-                   const std::vector<std::byte>& message) {
+void DdsTransport::send(std::size_t sonar, std::size_t channel, std::uint64_t /*time_ns*/,
+                        const std::vector<std::byte>& message) {
   const Writer& to = writer(sonar, channel);
   check_dds(write_raw(to.writer.get(), to.topic, message, pace_), fmt::format("send a message of {}", to.name));
 }
 
-void DdsRoad::finish() {
+void DdsTransport::finish() {
   const dds_time_t end = dds_time() + DDS_MSECS(300);
   for (const auto& [name, each] : writers_) {
     if (const dds_duration_t rest = end - dds_time(); rest > 0) {

@@ -1,6 +1,6 @@
-// ros_road.cpp -- makes a publisher for each topic; messages go out as the bytes that they are.
+// ros_transport.cpp -- makes a publisher for each topic; sends messages as encoded bytes.
 
-#include "ros1/ros_road.h"
+#include "ros1/ros_transport.h"
 
 #include <ros/serialization.h>
 #include <ros/this_node.h>
@@ -31,15 +31,15 @@ const char* name_of(MessageKind kind) {
   return "";
 }
 
-// "/fls/fan" is of the sonar fls.
+// "fls" for "/fls/fan".
 std::string_view sonar_of(std::string_view topic) {
   return topic.substr(1, topic.find('/', 1) - 1);
 }
 
 }  // namespace
 
-// Absolute: the name of a sonar may begin with "_", as no relative name may.
-std::string RosRoad::topic_name(const MessageChannel& channel) const {
+// Absolute: sonar names may begin with "_", relative names may not.
+std::string RosTransport::topic_name(const MessageChannel& channel) const {
   if (channel.kind == MessageKind::kTransforms) {
     return "/tf";
   }
@@ -48,8 +48,8 @@ std::string RosRoad::topic_name(const MessageChannel& channel) const {
          name_of(channel.kind);
 }
 
-void RosRoad::open(std::size_t sonar, const std::vector<MessageChannel>& channels) {
-  constexpr int kKept = 4, kKeptTransforms = 100;  // Messages that wait for a reader that is slow.
+void RosTransport::open(std::size_t sonar, const std::vector<MessageChannel>& channels) {
+  constexpr int kKept = 4, kKeptTransforms = 100;  // Queue lengths for slow readers.
   channels_.resize(std::max(channels_.size(), sonar + 1));
   channels_[sonar].clear();
   for (const MessageChannel& channel : channels) {
@@ -69,15 +69,15 @@ void RosRoad::open(std::size_t sonar, const std::vector<MessageChannel>& channel
   }
 }
 
-bool RosRoad::is_read(std::size_t sonar, std::size_t channel) const {
+bool RosTransport::is_read(std::size_t sonar, std::size_t channel) const {
   const Topic* topic = channels_.at(sonar).at(channel);
   return topic != nullptr && topic->publisher.getNumSubscribers() > 0;
 }
 
-void RosRoad::send(std::size_t sonar, std::size_t channel, std::uint64_t /*time_ns*/,
-                   const std::vector<std::byte>& message) {
+void RosTransport::send(std::size_t sonar, std::size_t channel, std::uint64_t /*time_ns*/,
+                        const std::vector<std::byte>& message) {
   Topic* topic = channels_.at(sonar).at(channel);
-  // The stream reads only.
+  // The stream only reads.
   auto* bytes = reinterpret_cast<std::uint8_t*>(const_cast<std::byte*>(message.data()));
   ros::serialization::IStream stream(bytes, static_cast<std::uint32_t>(message.size()));
   topic->message.read(stream);

@@ -1,4 +1,4 @@
-// dds_road.h -- writes the messages of pings to the topics of ROS 2.
+// dds_transport.h -- writes the messages of pings to ROS 2 topics.
 
 #pragma once
 
@@ -9,23 +9,23 @@
 #include <vector>
 
 #include "dds/raw_type.h"
-#include "road/bridge.h"
-#include "road/dds_options.h"
+#include "transport/bridge.h"
+#include "transport/dds_options.h"
 
 namespace insonify {
 
-class DdsRoad : public Road {
+class DdsTransport : public Transport {
  public:
-  /// @param participant  Must live as long as the road.
-  DdsRoad(dds_entity_t participant, bool best_effort) : participant_(participant), best_effort_(best_effort) {}
+  /// @param participant  Must live as long as the transport.
+  DdsTransport(dds_entity_t participant, bool best_effort) : participant_(participant), best_effort_(best_effort) {}
 
   void open(std::size_t sonar, const std::vector<MessageChannel>& channels) override;
   [[nodiscard]] bool is_read(std::size_t sonar, std::size_t channel) const override;
-  /// @throws Error where a reader that wants every message could not keep up.
+  /// @throws Error if a reliable reader could not keep up.
   void send(std::size_t sonar, std::size_t channel, std::uint64_t time_ns,
             const std::vector<std::byte>& message) override;
 
-  /// Waits a moment for readers that want every message and have not had the last ones.
+  /// Waits a moment for reliable readers to receive the last messages.
   void finish();
 
  private:
@@ -40,7 +40,7 @@ class DdsRoad : public Road {
   dds_entity_t participant_;
   bool best_effort_;
   SendPace pace_;
-  std::map<std::string, Writer> writers_;             // By the name of the topic; stay when a sonar changes.
+  std::map<std::string, Writer> writers_;             // By topic; kept when a sonar changes.
   std::vector<std::vector<const Writer*>> channels_;  // By sonar and channel.
 };
 

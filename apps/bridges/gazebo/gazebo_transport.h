@@ -1,4 +1,4 @@
-// gazebo_road.h -- publishes the messages of pings on Gazebo's topics, under both names of their types.
+// gazebo_transport.h -- publishes the messages of pings on Gazebo topics, under both names of their types.
 
 #pragma once
 
@@ -9,14 +9,14 @@
 #include <string>
 #include <vector>
 
-#include "road/bridge.h"
+#include "transport/bridge.h"
 
 namespace insonify {
 
-/// A subscriber of Gazebo Fortress asks for ignition.msgs.Image, a later one for gz.msgs.Image: each topic has a
-/// publisher of both, and each sends where it has subscribers. The transport keeps no message for those who come later,
-/// so the scenario is sent again when one comes.
-class GazeboRoad : public Road {
+/// Subscribers of Gazebo Fortress request ignition.msgs.Image, later ones gz.msgs.Image: each topic has a publisher of
+/// either type, which sends if it has subscribers. Gazebo's transport stores no message for late subscribers, so the
+/// scenario is sent again when one appears.
+class GazeboTransport : public Transport {
  public:
   void open(std::size_t sonar, const std::vector<MessageChannel>& channels) override;
   [[nodiscard]] bool is_read(std::size_t sonar, std::size_t channel) const override;
@@ -35,8 +35,8 @@ class GazeboRoad : public Road {
   static void publish(Topic& topic, const std::string& bytes);
   void remind_of_scenario();
 
-  ignition::transport::Node gz_node_, ignition_node_;  // A node has one type a topic.
-  std::map<std::string, Topic> topics_;                // By name; stay when a sonar changes.
+  ignition::transport::Node gz_node_, ignition_node_;  // A node has one type per topic.
+  std::map<std::string, Topic> topics_;                // By name; kept when a sonar changes.
   std::vector<std::vector<Topic*>> channels_;          // By sonar and channel.
   Topic* scenario_ = nullptr;
   std::string scenario_message_;

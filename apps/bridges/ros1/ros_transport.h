@@ -1,4 +1,4 @@
-// ros_road.h -- publishes the messages of pings as topics of ROS 1.
+// ros_transport.h -- publishes the messages of pings on ROS 1 topics.
 
 #pragma once
 
@@ -12,16 +12,16 @@
 #include <string>
 #include <vector>
 
-#include "road/bridge.h"
+#include "transport/bridge.h"
 
 namespace insonify {
 
-class RosRoad : public Road {
+class RosTransport : public Transport {
  public:
-  /// @param transforms  Whether /tf has where the sonars are.
-  explicit RosRoad(bool transforms) : transforms_(transforms) {}
+  /// @param transforms  Whether to publish the sonars' poses on /tf.
+  explicit RosTransport(bool transforms) : transforms_(transforms) {}
 
-  /// The topics of a single sonar are ~image, ~fan ...; those of several are ~NAME/image ...
+  /// Topics are ~image, ~fan ... for a single sonar, and ~NAME/image ... for several.
   void begin(const LiveWorld& world) override { several_ = world.sonars.size() > 1; }
   void open(std::size_t sonar, const std::vector<MessageChannel>& channels) override;
   [[nodiscard]] bool is_read(std::size_t sonar, std::size_t channel) const override;
@@ -39,8 +39,8 @@ class RosRoad : public Road {
   ros::NodeHandle node_;
   bool transforms_;
   bool several_ = false;
-  std::map<std::string, Topic> topics_;        // By name; stay when a sonar changes.
-  std::vector<std::vector<Topic*>> channels_;  // By sonar and channel; null for what is not published.
+  std::map<std::string, Topic> topics_;        // By name; kept when a sonar changes.
+  std::vector<std::vector<Topic*>> channels_;  // By sonar and channel; null: not published.
 };
 
 }  // namespace insonify

@@ -1,6 +1,6 @@
-// road_report.cpp -- sums up rate and latency in one line.
+// transport_report.cpp -- sums up rate and latency in one line.
 
-#include "road/road_report.h"
+#include "transport/transport_report.h"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@ double seconds(WallClock::duration time) {
 
 }  // namespace
 
-void RoadReport::note(WallClock::time_point transmitted, double computing) {
+void TransportReport::note(WallClock::time_point transmitted, double computing) {
   const std::lock_guard lock(mutex_);
   last_ = WallClock::now();
   if (pings_++ == 0) {
@@ -27,17 +27,17 @@ void RoadReport::note(WallClock::time_point transmitted, double computing) {
   computing_ += computing;
 }
 
-void RoadReport::note_refusal() {
+void TransportReport::note_refusal() {
   const std::lock_guard lock(mutex_);
   ++refusals_;
 }
 
-void RoadReport::note_drop() {
+void TransportReport::note_drop() {
   const std::lock_guard lock(mutex_);
   ++drops_;
 }
 
-std::string RoadReport::text() const {
+std::string TransportReport::text() const {
   const std::lock_guard lock(mutex_);
   constexpr double kMilli = 1e3;
   std::string text = fmt::format("{} pings in {:.1f} s", pings_, seconds(WallClock::now() - start_));

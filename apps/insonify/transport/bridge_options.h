@@ -1,0 +1,63 @@
+// bridge_options.h -- the bridges' command line, shared by `insonify bridge` and the programs that it starts.
+
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "insonify/live_loop.h"
+#include "insonify/messages.h"
+#include "transport/dds_options.h"
+
+namespace CLI {  // NOLINT(readability-identifier-naming)
+class App;
+}
+
+namespace insonify {
+
+/// Options of a Bridge.
+struct BridgeOptions {
+  std::filesystem::path scenario;
+  std::vector<std::string> settings = {};  ///< "key=value", in order.
+  LiveOptions live = {};
+  MessageOptions messages = {};
+  bool quiet = false;  ///< Print nothing but warnings and errors.
+};
+
+/// The command line of one bridge. Each bridge uses some of the options after `bridge`.
+struct BridgeRequest {
+  BridgeOptions bridge;
+  std::string odometry;                    ///< Topic of nav_msgs/Odometry for poses; "": none.
+  std::string tf;                          ///< Frame of the vehicle, looked up in the world's frame; "": none.
+  std::string clock;                       ///< wall or simulated; "": the bridge's default.
+  DdsOptions dds;                          ///< For the bridge to DDS.
+  std::string world;                       ///< Gazebo world; "": the only one.
+  std::vector<std::string> vehicles = {};  ///< Carriers of sonars in Gazebo: "NAME" or "SONAR=NAME".
+};
+
+/// A bridge to another framework, the program insonify-bridge-NAME.
+struct BridgeKind {
+  const char* name;      ///< "ros1"
+  const char* help;      ///< One line.
+  const char* packages;  ///< Debian packages needed to build it, beyond insonify's own.
+  const char* footer;    ///< Last lines of its help.
+  bool ros1_words;       ///< Whether arguments such as `name:=value` are passed to ROS 1.
+  void (*add_options)(CLI::App& command, BridgeRequest& request);
+};
+
+/// All bridges, built or not.
+[[nodiscard]] std::span<const BridgeKind> bridge_kinds();
+
+/// @param name  One of bridge_kinds().
+[[nodiscard]] const BridgeKind& bridge_kind(std::string_view name);
+
+/// Adds SCENARIO, the common options and those of this bridge. The request must outlive the command.
+void add_bridge_options(CLI::App& command, const BridgeKind& kind, BridgeRequest& request);
+
+/// Checks the remaining arguments of a command line: only those for ROS 1 may be there.
+/// @throws InputError for any other.
+void check_other_words(const CLI::App& command, const BridgeKind& kind);
+
+}  // namespace insonify
