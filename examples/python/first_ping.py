@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes a ping of a wall, prints where it is loudest, and saves the picture.
+"""Makes a ping of a wall, prints the place of the loudest echo, and saves the picture.
 
     python3 first_ping.py            # writes first_ping.png
 """
