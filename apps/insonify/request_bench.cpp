@@ -130,6 +130,14 @@ void add_bench(CLI::App& app, Request& request) {
   primary->footer("Example:\n  insonify bench primary --triangles 1000 10000 100000");
   primary->callback([&request, &options] { request.act = [&options] { return bench_primary(options); }; });
 
+  CLI::App* batch = command->add_subcommand("batch", "Batches of pings against the same pings one by one");
+  add_common(*batch, options);
+  batch->add_option("--threads", options.threads, "Worker threads [1 2]")
+      ->check(whole_number(1, 1024))
+      ->type_name("N ...");
+  batch->footer("Example:\n  insonify bench batch --triangles 1000 --threads 2");
+  batch->callback([&request, &options] { request.act = [&options] { return bench_batch(options); }; });
+
   CLI::App* changes = command->add_subcommand("changes", "Sonars and objects that change while a simulator runs");
   add_common(*changes, options);
   changes->footer("Example:\n  insonify bench changes --triangles 1000 100000");

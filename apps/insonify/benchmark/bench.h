@@ -33,6 +33,9 @@ struct PaperBenchOptions {
 /// insonify bench paper: reproduces the paper's tables of computing times, on its workload.
 int bench_paper(const PaperBenchOptions& options);
 
+/// insonify bench batch: times batches of pings against the same pings one by one.
+int bench_batch(const BenchOptions& options);
+
 /// insonify bench changes: times changes of sonars and objects while a simulator runs.
 int bench_changes(const BenchOptions& options);
 
