@@ -53,8 +53,9 @@ float CalibratedReceiver::kept(float intensity, int beam, int bin) const {
   const std::size_t at = static_cast<std::size_t>(beam) * bins_ + bin;
   const float noise =
       2 * noise_deviation_[beam] * noise_deviation_[beam] + (thrusters_ ? thrusters_->intensity(beam, bin) : 0.0F);
-  const float mean = (bearing_ ? beam_energy_ : cell_energy_)[at] + noise;
-  const float extended = speckle_ ? (bearing_ ? beam_extended_ : cell_extended_)[at] + noise : noise;
+  const Signals& beams = beam_signals();
+  const float mean = beams.energy[at] + noise;
+  const float extended = beams.extended.empty() ? noise : beams.extended[at] + noise;
   return mean > 0 ? coarse_->kept(intensity, mean, std::min(extended / mean, 1.0F)) : intensity;
 }
 
@@ -63,8 +64,7 @@ void CalibratedReceiver::detect_tile(const EchoGrid& grid, const TilePlace& plac
   const bool labelled = grid.ground_truth() == GroundTruth::kLabels;
   OutputTile tile = {};
   constexpr float kSilence[kTileBins] = {};
-  const std::vector<float>& energy = bearing_ ? beam_energy_ : cell_energy_;
-  const std::vector<std::complex<float>>& field = bearing_ ? beam_field_ : cell_field_;
+  const Signals& beams = beam_signals();
   const std::span<const float> channel_gains = channels_ ? channels_->gains() : std::span<const float>();
   for (int b = 0; b < place.beam_count; ++b) {
     const int beam = place.first_beam + b;
@@ -74,9 +74,12 @@ void CalibratedReceiver::detect_tile(const EchoGrid& grid, const TilePlace& plac
     const float* const in_phase = noise_ ? noise_->in_phase(beam) + place.first_bin : kSilence;
     const float* const quadrature = noise_ ? noise_->quadrature(beam) + place.first_bin : kSilence;
     float real[kTileBins], imaginary[kTileBins], look[kTileBins];
-    speckle_ ? detect_field(place.bin_count, reinterpret_cast<const float*>(&field[start]), deviation, in_phase,
-                            quadrature, real, imaginary, look)
-             : detect_energy(place.bin_count, &energy[start], deviation, in_phase, quadrature, real, imaginary, look);
+    if (beams.field.empty()) {
+      detect_energy(place.bin_count, &beams.energy[start], deviation, in_phase, quadrature, real, imaginary, look);
+    } else {
+      detect_field(place.bin_count, reinterpret_cast<const float*>(&beams.field[start]), deviation, in_phase,
+                   quadrature, real, imaginary, look);
+    }
     float received[kTileBins];
     std::copy_n(look, kTileBins, received);
     for (int i = 0; keeps_looks_ && i < place.bin_count; ++i) {
@@ -93,6 +96,23 @@ void CalibratedReceiver::detect_tile(const EchoGrid& grid, const TilePlace& plac
     }
   }
   write_tile(tile, place, labelled, ping);
+}
+
+// Adds noise, detects and applies gain by tiles of beams x bins, each transposed into the ping's bins x beams; then
+// counts.
+void CalibratedReceiver::detect(const EchoGrid& grid, Workers& workers, Ping& ping) {
+  const int tiles_along = (bins_ + kTileBins - 1) / kTileBins, tiles_across = (beams_ + kTileBeams - 1) / kTileBeams;
+  workers.for_each(tiles_across * tiles_along, [&](int tile, int) {
+    const int beam = tile / tiles_along * kTileBeams, bin = tile % tiles_along * kTileBins;
+    detect_tile(grid, {beam, std::min(kTileBeams, beams_ - beam), bin, std::min(kTileBins, bins_ - bin)}, ping);
+  });
+  if (digitizer_) {
+    const auto beams = static_cast<std::size_t>(beams_);
+    digitizer_->adapt(ping.intensity);
+    workers.for_each(bins_, [&](int bin, int) {
+      digitizer_->digitize({&ping.intensity[bin * beams], beams}, {&ping.counts[bin * beams], beams});
+    });
+  }
 }
 
 }  // namespace insonify

@@ -29,6 +29,12 @@ void clear_outside(BinRange bins, std::span<Value> row) {
   std::fill(row.begin() + kept.last, row.end(), Value{});
 }
 
+// The bins of a row that are in an interval.
+template <typename Row>
+auto within(BinRange bins, Row&& row) {
+  return std::span(row).subspan(bins.first, bins.last - bins.first);
+}
+
 }  // namespace
 
 BinRange CalibratedReceiver::filled_bins(const EchoGrid& grid, int cell) const {
@@ -66,30 +72,34 @@ void CalibratedReceiver::sum_energy(const EchoGrid& grid, int cell, std::span<fl
   }
 }
 
-// Computes one cell's row of bins up to and including the convolution with the pulse, into cell_energy_ or cell_field_.
+// Computes one cell's row of bins up to and including the convolution with the pulse, into the layers of of_cells_.
 // Bins that neither echoes nor the pulse reach are zero.
 void CalibratedReceiver::receive_cell(const EchoGrid& grid, int cell, Row& row) {
-  const auto bins = static_cast<std::size_t>(bins_);
-  const BinRange filled = filled_bins(grid, cell), received = received_bins(grid, cell);
-  row.energy.resize(bins);
+  row.energy.resize(static_cast<std::size_t>(bins_));
   sum_energy(grid, cell, row.energy);
-  const auto within = [&](auto&& of_row) {
-    return std::span(of_row).subspan(received.first, received.last - received.first);
-  };
-  if (keeps_looks_ && speckle_) {
+  if (!of_cells_.extended.empty()) {
     receive_mean(grid, cell, row);
   } else if (coarse_) {
     coarse_->receive(row.energy);
   }
-  if (!speckle_) {
-    const std::span<float> beam(&cell_energy_[bins * cell], bins);
-    std::ranges::copy(row.energy, beam.begin());
-    if (range_) {
-      range_->receive_energy(within(row.energy), within(beam));
-    }
-    return;
+  of_cells_.field.empty() ? receive_energy(grid, cell, row) : receive_field(grid, cell, row);
+}
+
+// The energies themselves, spread by the pulse.
+void CalibratedReceiver::receive_energy(const EchoGrid& grid, int cell, Row& row) {
+  const auto bins = static_cast<std::size_t>(bins_);
+  const std::span<float> beam(&of_cells_.energy[bins * cell], bins);
+  std::ranges::copy(row.energy, beam.begin());
+  if (range_) {
+    range_->receive_energy(within(received_bins(grid, cell), row.energy), within(received_bins(grid, cell), beam));
   }
-  const std::span<std::complex<float>> beam(&cell_field_[bins * cell], bins);
+}
+
+// Speckle of the energies' mean intensities, then the pulse.
+void CalibratedReceiver::receive_field(const EchoGrid& grid, int cell, Row& row) {
+  const auto bins = static_cast<std::size_t>(bins_);
+  const BinRange filled = filled_bins(grid, cell), received = received_bins(grid, cell);
+  const std::span<std::complex<float>> beam(&of_cells_.field[bins * cell], bins);
   clear_outside(received, beam);
   if (filled.empty()) {
     return;
@@ -107,7 +117,7 @@ void CalibratedReceiver::receive_cell(const EchoGrid& grid, int cell, Row& row) 
   }
   speckle_->share(row.scatterers, drawn);
   if (range_) {
-    range_->receive_field(within(row.field), within(beam));
+    range_->receive_field(within(received, row.field), within(received, beam));
   }
 }
 
@@ -123,61 +133,85 @@ void CalibratedReceiver::receive_mean(const EchoGrid& grid, int cell, Row& row) 
     const std::size_t count = received.empty() ? 0 : received.last - received.first;
     range_->receive_energy(energy.subspan(received.first, count), beam.subspan(received.first, count));
   };
-  receive_row(row.energy, cell_energy_);
-  receive_row(row.extended, cell_extended_);
+  receive_row(row.energy, of_cells_.energy);
+  receive_row(row.extended, of_cells_.extended);
 }
 
 // Forms the beams from the cells. Tasks divide the ping by blocks of bins.
-void CalibratedReceiver::receive_bearings(const EchoGrid& grid, Workers& workers) {
+void CalibratedReceiver::form_beams(const EchoGrid& grid, Workers& workers) {
   BinRange received;
   for (int cell = 0; cell < cells_; ++cell) {
     received = received | received_bins(grid, cell);
   }
   workers.for_each((bins_ + kBinsPerTask - 1) / kBinsPerTask, [&](int task, int) {
     const BinRange bins{task * kBinsPerTask, std::min((task + 1) * kBinsPerTask, bins_)};
-    speckle_ ? bearing_->receive_field(cell_field_, beam_field_, bins_, bins, received)
-             : bearing_->receive_energy(cell_energy_, beam_energy_, bins_, bins, received);
-    if (keeps_looks_ && speckle_) {
-      bearing_->receive_energy(cell_energy_, beam_energy_, bins_, bins, received);
-      bearing_->receive_energy(cell_extended_, beam_extended_, bins_, bins, received);
+    if (!of_cells_.field.empty()) {
+      bearing_->receive_field(of_cells_.field, of_beams_.field, bins_, bins, received);
+    }
+    if (!of_cells_.energy.empty()) {
+      bearing_->receive_energy(of_cells_.energy, of_beams_.energy, bins_, bins, received);
+    }
+    if (!of_cells_.extended.empty()) {
+      bearing_->receive_energy(of_cells_.extended, of_beams_.extended, bins_, bins, received);
     }
   });
 }
 
-void CalibratedReceiver::receive_discrete_echoes(const EchoGrid& grid, const DiscreteEchoes& discrete) {
-  if (speckle_) {
-    discrete.add(grid.discrete_echoes(), bearing_ ? beam_field_ : cell_field_);
+DiscreteEchoes CalibratedReceiver::discrete() const {
+  return {bearing_ ? &*bearing_ : nullptr, range_ ? &*range_ : nullptr, beams_, bins_,
+          coarse_ ? coarse_->discrete() : 1.0F};
+}
+
+void CalibratedReceiver::add_discrete_echoes(const EchoGrid& grid) {
+  Signals& beams = beam_signals();
+  if (!beams.field.empty()) {
+    discrete().add(grid.discrete_echoes(), beams.field);
   }
-  if (!speckle_ || keeps_looks_) {
-    discrete.add(grid.discrete_echoes(), bearing_ ? beam_energy_ : cell_energy_);
+  if (!beams.energy.empty()) {
+    discrete().add(grid.discrete_echoes(), beams.energy);
   }
 }
 
+// Adds to each beam the share of all beams' echoes that its channel lets in.
 void CalibratedReceiver::couple_channels(Workers& workers) {
-  if (speckle_) {
-    channels_->couple_field(bearing_ ? beam_field_ : cell_field_, workers);
+  Signals& beams = beam_signals();
+  if (!beams.field.empty()) {
+    channels_->couple_field(beams.field, workers);
   }
-  if (!speckle_ || keeps_looks_) {
-    channels_->couple_energy(bearing_ ? beam_energy_ : cell_energy_, workers);
+  if (!beams.energy.empty()) {
+    channels_->couple_energy(beams.energy, workers);
   }
-  if (speckle_ && keeps_looks_) {
-    channels_->couple_energy(bearing_ ? beam_extended_ : cell_extended_, workers);
+  if (!beams.extended.empty()) {
+    channels_->couple_energy(beams.extended, workers);
   }
 }
 
 // Adds the transmit leak to echoes, and clears echoes and noise at ranges below dead_range.
 void CalibratedReceiver::receive_leak() {
-  if (speckle_) {
-    leak_->receive_field(bearing_ ? beam_field_ : cell_field_);
+  Signals& beams = beam_signals();
+  if (!beams.field.empty()) {
+    leak_->receive_field(beams.field);
   }
-  if (!speckle_ || keeps_looks_) {
-    leak_->receive_energy(bearing_ ? beam_energy_ : cell_energy_);
+  if (!beams.energy.empty()) {
+    leak_->receive_energy(beams.energy);
   }
-  if (speckle_ && keeps_looks_) {
-    leak_->clear_dead(bearing_ ? beam_extended_ : cell_extended_);
+  if (!beams.extended.empty()) {
+    leak_->clear_dead(beams.extended);
   }
   if (noise_) {
     noise_->silence(leak_->dead_bins());
+  }
+}
+
+// Draws the ping's noise, and sets each beam's level of it.
+void CalibratedReceiver::draw_noise(const Ping& ping, const Pose& world_from_sonar,
+                                    std::span<const std::optional<Vec3>> thrusters, Workers& workers) {
+  noise_->draw(ping.number, workers);
+  if (surface_noise_) {
+    receive_surface_noise(world_from_sonar);
+  }
+  if (thrusters_) {
+    thrusters_->add_to(*noise_, thrusters, ping.number, ping.time, noise_deviation_, workers);
   }
 }
 
@@ -207,62 +241,12 @@ void CalibratedReceiver::move(const EchoGrid& grid, const PingMotion& motion, Wo
   }
 }
 
-void CalibratedReceiver::receive(const EchoGrid& still, std::span<const DisplacedInstance> displaced,
-                                 const Pose& world_from_sonar, const PingMotion& motion,
-                                 std::span<const std::optional<Vec3>> thrusters, Workers& workers, Ping& ping) {
-  if (shift_) {
-    move(still, motion, workers);
-  }
-  const EchoGrid& grid = shift_ ? moved_ : still;
-  size_tables(ping, beams_, bins_, grid.ground_truth());
-  ping.field.resize(has_field_ ? ping.intensity.size() : 0);
-  ping.counts.resize(digitizer_ ? ping.intensity.size() : 0);
-  if (speckle_) {
-    views_.set(world_from_sonar, displaced);
-  }
-  rows_.resize(std::max(rows_.size(), static_cast<std::size_t>(workers.count())));
-
-  // Sum, speckle and pulse, cell by cell; then the array pattern, and the echoes that are not in cells.
-  workers.for_each(cells_, [&](int cell, int worker) { receive_cell(grid, cell, rows_[worker]); });
-  if (bearing_) {
-    receive_bearings(grid, workers);
-  }
-  const DiscreteEchoes discrete(bearing_ ? &*bearing_ : nullptr, range_ ? &*range_ : nullptr, beams_, bins_,
-                                coarse_ ? coarse_->discrete() : 1.0F);
-  receive_discrete_echoes(grid, discrete);
-  if (channels_) {
-    couple_channels(workers);
-  }
-  if (noise_) {
-    noise_->draw(ping.number, workers);
-  }
-  if (surface_noise_) {
-    receive_surface_noise(world_from_sonar);
-  }
-  if (thrusters_) {
-    thrusters_->add_to(*noise_, thrusters, ping.number, ping.time, noise_deviation_, workers);
-  }
-  if (leak_) {
-    receive_leak();
-  }
-
-  // Noise and detection by tiles of beams x bins, each transposed into the ping's bins x beams.
-  const int tiles_along = (bins_ + kTileBins - 1) / kTileBins, tiles_across = (beams_ + kTileBeams - 1) / kTileBeams;
-  workers.for_each(tiles_across * tiles_along, [&](int tile, int) {
-    const int beam = tile / tiles_along * kTileBeams, bin = tile % tiles_along * kTileBins;
-    detect_tile(grid, {beam, std::min(kTileBeams, beams_ - beam), bin, std::min(kTileBins, bins_ - bin)}, ping);
-  });
-  if (digitizer_) {
-    const auto beams = static_cast<std::size_t>(beams_);
-    digitizer_->adapt(ping.intensity);
-    workers.for_each(bins_, [&](int bin, int) {
-      digitizer_->digitize({&ping.intensity[bin * beams], beams}, {&ping.counts[bin * beams], beams});
-    });
-  }
+void CalibratedReceiver::write_truth(const EchoGrid& grid, Workers& workers, Ping& ping) {
   if (grid.ground_truth() == GroundTruth::kFull) {
+    const DiscreteEchoes echoes = discrete();
     truth_.write(
         grid,
-        {range_ ? &*range_ : nullptr, bearing_ ? &*bearing_ : nullptr, coarse_ ? &*coarse_ : nullptr, &discrete, gain_},
+        {range_ ? &*range_ : nullptr, bearing_ ? &*bearing_ : nullptr, coarse_ ? &*coarse_ : nullptr, &echoes, gain_},
         workers, ping);
   }
   if (leak_) {
@@ -271,6 +255,47 @@ void CalibratedReceiver::receive(const EchoGrid& still, std::span<const Displace
   if (channels_) {
     channels_->receive_truth(ping);
   }
+}
+
+void CalibratedReceiver::receive(const EchoGrid& still, std::span<const DisplacedInstance> displaced,
+                                 const Pose& world_from_sonar, const PingMotion& motion,
+                                 std::span<const std::optional<Vec3>> thrusters, Workers& workers, Ping& ping) {
+  // Motion: echoes in the cells in which the moving sonar receives them.
+  if (shift_) {
+    move(still, motion, workers);
+  }
+  const EchoGrid& grid = shift_ ? moved_ : still;
+  size_tables(ping, beams_, bins_, grid.ground_truth());
+  ping.field.resize(has_field_ ? ping.intensity.size() : 0);
+  ping.counts.resize(digitizer_ ? ping.intensity.size() : 0);
+  rows_.resize(std::max(rows_.size(), static_cast<std::size_t>(workers.count())));
+
+  // Sum, speckle and pulse, cell by cell.
+  views_.set(world_from_sonar, displaced);
+  workers.for_each(cells_, [&](int cell, int worker) { receive_cell(grid, cell, rows_[worker]); });
+
+  // Array pattern: beams from cells.
+  if (bearing_) {
+    form_beams(grid, workers);
+  }
+
+  // Echoes that are not in cells, then the receiver's channels.
+  add_discrete_echoes(grid);
+  if (channels_) {
+    couple_channels(workers);
+  }
+
+  // Noise and the transmit leak.
+  if (noise_) {
+    draw_noise(ping, world_from_sonar, thrusters, workers);
+  }
+  if (leak_) {
+    receive_leak();
+  }
+
+  // Detection, gain and counts; ground truth.
+  detect(grid, workers, ping);
+  write_truth(grid, workers, ping);
 }
 
 }  // namespace insonify

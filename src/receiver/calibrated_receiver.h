@@ -26,6 +26,7 @@
 #include "receiver/pulse/coarse_bins.h"
 #include "receiver/pulse/range_response.h"
 #include "receiver/reception_shift.h"
+#include "receiver/signals.h"
 #include "receiver/speckle/clutter.h"
 #include "receiver/speckle/scatterer_lattice.h"
 #include "receiver/speckle/scatterer_row.h"
@@ -91,13 +92,22 @@ class CalibratedReceiver {
   [[nodiscard]] BinRange received_bins(const EchoGrid& grid, int cell) const;
   void sum_energy(const EchoGrid& grid, int cell, std::span<float> energy) const;
   void receive_cell(const EchoGrid& grid, int cell, Row& row);
+  void receive_energy(const EchoGrid& grid, int cell, Row& row);
+  void receive_field(const EchoGrid& grid, int cell, Row& row);
   void receive_mean(const EchoGrid& grid, int cell, Row& row);
   void receive_surface_noise(const Pose& world_from_sonar);
   [[nodiscard]] float kept(float intensity, int beam, int bin) const;
-  void receive_bearings(const EchoGrid& grid, Workers& workers);
-  void receive_discrete_echoes(const EchoGrid& grid, const DiscreteEchoes& discrete);
+  void form_beams(const EchoGrid& grid, Workers& workers);
+  void add_discrete_echoes(const EchoGrid& grid);
   void couple_channels(Workers& workers);
+  void draw_noise(const Ping& ping, const Pose& world_from_sonar, std::span<const std::optional<Vec3>> thrusters,
+                  Workers& workers);
   void receive_leak();
+  void detect(const EchoGrid& grid, Workers& workers, Ping& ping);
+  void write_truth(const EchoGrid& grid, Workers& workers, Ping& ping);
+  [[nodiscard]] DiscreteEchoes discrete() const;
+  [[nodiscard]] Signals& beam_signals() { return bearing_ ? of_beams_ : of_cells_; }
+  [[nodiscard]] const Signals& beam_signals() const { return bearing_ ? of_beams_ : of_cells_; }
   void detect_tile(const EchoGrid& grid, const TilePlace& place, Ping& ping) const;
 
   int beams_, bins_, cells_, first_cell_, cells_per_beam_;
@@ -132,11 +142,8 @@ class CalibratedReceiver {
   std::optional<ReceiverChannels> channels_;
   std::optional<TransmitLeak> leak_;
 
-  std::vector<Row> rows_;  // [worker].
-  // [cell][bin] and [beam][bin]. Fields are used with speckle, energies without; unused ones are empty. With speckle
-  // and keeps_looks_ the energies are used too, and `extended` holds their part that is in every look.
-  std::vector<float> cell_energy_, beam_energy_, cell_extended_, beam_extended_;
-  std::vector<std::complex<float>> cell_field_, beam_field_;
+  std::vector<Row> rows_;                                          // [worker].
+  Signals of_cells_{0, false, false}, of_beams_{0, false, false};  // The latter with bearing_; else beams are cells.
 };
 
 }  // namespace insonify

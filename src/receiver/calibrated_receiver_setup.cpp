@@ -155,14 +155,10 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
   if (receiver.counts) {
     digitizer_.emplace(sonar, receiver.full_scale_db.value_or(0), receiver.full_scale_share);
   }
-  const std::size_t cell_count = static_cast<std::size_t>(cells_) * bins_;
-  const std::size_t beam_count = bearing_ ? static_cast<std::size_t>(beams_) * bins_ : 0;
-  cell_energy_.resize(receiver.speckle && !keeps_looks_ ? 0 : cell_count);
-  beam_energy_.resize(receiver.speckle && !keeps_looks_ ? 0 : beam_count);
-  cell_extended_.resize(receiver.speckle && keeps_looks_ ? cell_count : 0);
-  beam_extended_.resize(receiver.speckle && keeps_looks_ ? beam_count : 0);
-  cell_field_.resize(receiver.speckle ? cell_count : 0);
-  beam_field_.resize(receiver.speckle ? beam_count : 0);
+  of_cells_ = Signals(static_cast<std::size_t>(cells_) * bins_, receiver.speckle, keeps_looks_);
+  if (bearing_) {
+    of_beams_ = Signals(static_cast<std::size_t>(beams_) * bins_, receiver.speckle, keeps_looks_);
+  }
 }
 
 }  // namespace insonify
