@@ -17,6 +17,7 @@
 #include "pictures/pictures.h"
 #include "run/disk_space.h"
 #include "run/hints.h"
+#include "run/ping_schedule.h"
 #include "run/progress.h"
 #include "run/tracks.h"
 #include "run/views.h"
@@ -104,48 +105,53 @@ void print_oddities(Simulator& simulator, const ScenarioRequests& requests, bool
   }
 }
 
-// The sonar whose next ping is the earliest, the first of those that ping at the same time; -1 where all are done.
-int next_sonar(const ScenarioRequests& requests, const std::vector<Track>& tracks) {
-  constexpr double kSameTime = 1 + 1e-8;  // Ratio of times that are the same but for the rounding of the periods.
-  int next = -1;
-  double earliest = 0;
-  for (int sonar = 0; sonar < requests.sonar_count(); ++sonar) {
-    const std::uint64_t number = tracks[static_cast<std::size_t>(sonar)].made;
-    const double time = requests.time_of(sonar, number);
-    if (number < requests.ping_count(sonar) && (next < 0 || time * kSameTime < earliest)) {
-      next = sonar;
-      earliest = time;
-    }
+// Records and draws a ping that has been made.
+void add_ping(const Simulator& simulator, const PingOrder& order, Track& track, Progress& progress) {
+  std::swap(track.ping, *order.ping);
+  track.recordings.add(track.ping);
+  track.pictures.add(track.ping);
+  track.loudness.add(track.ping);
+  if (track.made == 0) {
+    track.first_ping = first_ping_text(simulator.scene(), simulator.sonar(order.sonar), track.ping);
   }
-  return next;
+  ++track.made;
+  progress.advance();
 }
 
-// Computes the pings of all sonars in order of time, until all are done or a stop is requested. A run that
-// is stopped or killed so leaves recordings that end at the same time.
+// Computes a batch. False if a ping of several cannot be made: which one, each of them made alone will show.
+bool make_batch(Simulator& simulator, std::span<const PingOrder> orders) {
+  try {
+    simulator.ping(orders);
+    return true;
+  } catch (const Error&) {
+    if (orders.size() == 1) {
+      throw;
+    }
+    return false;
+  }
+}
+
+// Computes the pings of all sonars in order of time, until all are done or a stop is requested.
 // @return  Computing time without recording and drawing [s].
 double make_pings(Simulator& simulator, const ScenarioRequests& requests, std::vector<Track>& tracks, bool quiet) {
   Progress progress(requests.total_pings(), quiet);
-  PingRequest request;
+  PingSchedule schedule(requests);
   double computing = 0;
-  for (int sonar = next_sonar(requests, tracks); sonar >= 0 && !stop_asked(); sonar = next_sonar(requests, tracks)) {
-    Track& track = tracks[static_cast<std::size_t>(sonar)];
-    const Clock::time_point start = Clock::now();
-    requests.fill(sonar, track.made, request);
-    try {
-      simulator.ping(sonar, request, track.next);
-    } catch (const Interrupted&) {
-      return computing;
+  try {
+    for (std::span<PingOrder> orders = schedule.next(); !orders.empty() && !stop_asked(); orders = schedule.next()) {
+      const Clock::time_point start = Clock::now();
+      const bool made = make_batch(simulator, orders);
+      const double seconds = seconds_since(start);
+      schedule.took(seconds);
+      computing += seconds;
+      for (const PingOrder& order : orders) {
+        if (!made) {
+          simulator.ping({&order, 1});
+        }
+        add_ping(simulator, order, tracks[static_cast<std::size_t>(order.sonar)], progress);
+      }
     }
-    std::swap(track.ping, track.next);
-    computing += seconds_since(start);
-    track.recordings.add(track.ping);
-    track.pictures.add(track.ping);
-    track.loudness.add(track.ping);
-    if (track.made == 0) {
-      track.first_ping = first_ping_text(simulator.scene(), simulator.sonar(sonar), track.ping);
-    }
-    ++track.made;
-    progress.advance();
+  } catch (const Interrupted&) {
   }
   return computing;
 }

@@ -19,8 +19,8 @@ namespace insonify {
 struct Track {
   SonarRecordings recordings;
   PingPictures pictures;
-  Ping ping = {}, next = {};  ///< The last recorded ping; the ping being computed.
-  std::uint64_t made = 0;     ///< Pings so far.
+  Ping ping = {};          ///< The last recorded ping.
+  std::uint64_t made = 0;  ///< Pings so far.
   Loudness loudness = {};
   std::string first_ping = {};  ///< Text about the first ping: see first_ping_text().
 };
