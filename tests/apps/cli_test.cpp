@@ -81,8 +81,8 @@ TEST_F(CliTest, RunTellsOfRecordingsThatAKilledRunLeft) {
   folder.write("out/another.h5.0123abcd.new", "somebody else's");
   EXPECT_EQ(
       shell("insonify run fan.yaml --no-pictures -o out").err,
-      "insonify: warning: out/ahead.h5.0123abcd.new is an unfinished recording, of a run that was killed or still goes "
-      "on\n");
+      "insonify: warning: out/ahead.h5.0123abcd.new is an unfinished recording, of a run that was killed or is still "
+      "running\n");
 }
 
 TEST_F(CliTest, RunWritesBesideTheUserWhenNoFolderIsNamed) {
