@@ -96,10 +96,11 @@ TEST(MeshReliefTest, WhatCannotBeReadIsToldAndLeftOut) {
                                                    "sub/stone.jpg: cannot be read: Not a PNG file"));
   write_levels<std::uint8_t>("sub/red.png", 1, 1, {255, 0, 0}, 3);
   folder.write("sub/a.mtl", "newmtl stone\nnorm red.png\n");
-  EXPECT_THAT(load("sub/a.obj").notes,
-              ElementsAre("warning: a.obj: skipped the small normals of material stone: sub/red.png: is no normal map "
-                          "in tangent space: its mean normal is (1.00, -1.01, -1.01), must point out of the surface, "
-                          "(0, 0, 1) or nearly"));
+  EXPECT_THAT(
+      load("sub/a.obj").notes,
+      ElementsAre("warning: a.obj: skipped the small normals of material stone: sub/red.png: is not a normal map "
+                  "in tangent space: its mean normal is (1.00, -1.01, -1.01), must point out of the surface, "
+                  "(0, 0, 1) or nearly"));
 }
 
 TEST(MeshReliefTest, PicturesAreFoundWhereGazeboPutsThem) {

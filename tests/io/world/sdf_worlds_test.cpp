@@ -146,7 +146,7 @@ TEST_F(SdfWorldsTest, ModelsWithoutVisualsAreTheirCollisionShapes) {
       load(world(model("post", box("collision", "c")) + model("m", box("visual", "v") + box("collision", "c"))));
   EXPECT_THAT(names(scene), ElementsAre("post::l::c", "m::l::v"));
   EXPECT_THAT(said, ElementsAre("scene.sdf: of models without visuals the collision shapes are insonified (ignore "
-                                "leaves them out): post"));
+                                "removes them): post"));
 }
 
 TEST_F(SdfWorldsTest, WaterAndInvisibleWallsAreTold) {
@@ -160,7 +160,7 @@ TEST_F(SdfWorldsTest, WaterAndInvisibleWallsAreTold) {
                        "</visual>"));
   EXPECT_EQ(load(text).instances.size(), 3);
   EXPECT_THAT(said, ElementsAre("scene.sdf: what is water or invisible to cameras echoes as a solid surface (ignore "
-                                "leaves it out): sea::l::surface, sea::l::wall"));
+                                "removes it): sea::l::surface, sea::l::wall"));
   EXPECT_THAT(names(load(text, {.ignore = {"surface", "wall"}})), ElementsAre("sea::l::bed"));
   EXPECT_THAT(said, IsEmpty());
 }
