@@ -19,11 +19,13 @@ struct BatchCase {
   const char* name;
   EchoModel model = EchoModel::kCalibrated;
   int beams = 32, bins = 100;
-  bool sea = false;  // A sea surface.
+  bool sea = false;       // A sea surface.
+  bool coarsely = false;  // 4 columns a beam x 100 rows.
 };
 
 constexpr BatchCase kCases[] = {{"small, paper", EchoModel::kPaper},
                                 {"small"},
+                                {"small, coarse", EchoModel::kCalibrated, 32, 100, false, true},
                                 {"small, sea", EchoModel::kCalibrated, 32, 100, true},
                                 {"large", EchoModel::kCalibrated, 256, 500}};
 
@@ -33,6 +35,9 @@ Scenario batch_scenario(const BatchCase& of) {
   SonarConfig sonar = bench_sonar();
   sonar.beam_count = of.beams;
   sonar.bin_count = of.bins;
+  if (of.coarsely) {
+    sonar.sampling = {.columns_per_beam = 4, .rows = 100};
+  }
   scenario.sonars = {sonar};
   if (of.sea) {
     scenario.surface = SeaSurface{.level = 2, .wind_speed = 3};
