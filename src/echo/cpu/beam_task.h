@@ -24,7 +24,7 @@ struct BeamTask {
       : scene_(scene), raster_scene_(raster_scene), workers_(workers), raster_(workers), secondary_(scene) {}
 
   /// Prepares for a ping. Allocates only if it needs more memory than any ping before.
-  /// @param thin  Parts whose primary echoes are left out; null: none.
+  /// @param left_out  Parts whose primary echoes are left out; null: none.
   void prepare(const PingPlan& plan, SecondarySampling sampling, const LeftOut* left_out);
 
   /// Fills the beams [first_beam, last_beam) of the grid.

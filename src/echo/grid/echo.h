@@ -1,11 +1,11 @@
 // echo.h -- single arrivals, as engines and targets pass them to an EchoGrid.
 //
 // There are three kinds, because they are added in different ways:
-// - FootprintSegment (surface_run.h): a primary echo between two neighbouring samples of a column. A ping has some 200
-// 000;
-//   those of one surface are summed by bin before the grid is touched, which takes a fraction of the time.
-// - Echo: a secondary echo, which may arrive in any beam. Its footprint is spread over the bins of that beam by
-// deposit().
+// - FootprintSegment (surface_run.h): a primary echo between two neighbouring samples of a column.
+//   A ping has some 200,000; those of one surface are summed by bin before the grid is touched,
+//   which takes a fraction of the time.
+// - Echo: a secondary echo, which may arrive in any beam.
+//   deposit() spreads its footprint over the bins of that beam.
 // - DiscreteEcho: the echo of a point target or another sonar's pulse. It keeps its bearing and phase, so that it can
 //   interfere with others; cells hold sums of intensity, whose phase the receiver draws.
 

@@ -1,4 +1,5 @@
 // zip_writer.h -- writes a zip archive, entry by entry, each of any size (zip64).
+// Why not libminizip: docs/design/libraries.md.
 
 #pragma once
 

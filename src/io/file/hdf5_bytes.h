@@ -15,6 +15,9 @@
 
 namespace insonify {
 
+// What hdf5_type.h and hdf5_heap.h answer their threats with: HDF5's own calls are what crashes, so the bytes are read
+// beside it.
+
 /// A number at an offset; 0 if it is out of bounds.
 template <typename Number>
 [[nodiscard]] Number number_at(std::span<const char> bytes, std::uint64_t place) {

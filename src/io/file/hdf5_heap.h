@@ -10,6 +10,9 @@
 
 namespace insonify {
 
+// The threat: as hdf5_type.h, by the references to texts. A recording that was cut off while it was copied is enough
+// for it.
+
 /// Texts of variable length are stored in global heaps (HDF5 File Format Specification 3.0, III.E); a dataset or an
 /// attribute holds their lengths, addresses and numbers. HDF5 1.10 follows these unchecked, in damaged files beyond the
 /// ends of its memory. These functions check them by reading the file's own bytes.

@@ -11,6 +11,9 @@
 
 namespace insonify {
 
+// The threat: HDF5 opens a damaged or crafted recording without an error, then reads and writes beyond its memory as it
+// decodes a datatype: a crash, or code of the file's author, in whatever opens a stranger's file (SECURITY.md).
+
 /// The fault of a datatype message (HDF5 File Format Specification 3.0, IV.A.2.d), or "": a name or a member beyond the
 /// message's end, or sizes that contradict each other. HDF5 1.10 checks neither, and reads and writes beyond its
 /// memory.
