@@ -15,7 +15,7 @@ CHAIN = ["base", "acoustics", "scene", "sonar", "echo", "receiver", "image", "si
 
 # Modules at the edge: which internal headers they may include, and that nothing in the chain may include them. Public
 # headers are open to all of them.
-EDGE = {"io": CHAIN, "live": [*CHAIN, "io"], "wire": CHAIN, "similarity": ["base"], "apps": [], "python": [], "ros": [], "web": [], "bench": []}
+EDGE = {"io": CHAIN, "view": CHAIN, "live": [*CHAIN, "io"], "wire": CHAIN, "similarity": ["base"], "apps": [], "python": [], "ros": [], "web": [], "bench": []}
 
 # Rooms of a module, and the other rooms of that module that each may include; "*" is any room not named, "." the
 # module's own folder.
@@ -36,9 +36,6 @@ ROOMS = {
         "speckle": ["pulse", "."],
         "noise": ["array", "."],
     },
-    "simulator": {
-        "view": [],
-    },
     "io": {
         "file": [],
         "message": [],
@@ -46,6 +43,7 @@ ROOMS = {
         "grid": ["file", "picture"],
         "mesh": ["file", "picture"],
         "world": ["file", "picture", "grid", "mesh"],
+        "sdf": ["file", "picture", "grid", "mesh", "world"],
         "stonefish": ["file", "picture", "grid", "mesh"],
         "scenario": ["file", "stonefish", "world"],
         "recording": ["file"],
@@ -73,7 +71,7 @@ ROOMS = {
 ROOTS = {"apps": ("apps/insonify/", "apps/bridges/")}
 
 # Libraries that stay in one place: headers that begin so are included there and nowhere else in src/.
-LIBRARIES = {"embree": "src/echo/cpu/", "assimp": "src/io/mesh/", "sdf/": "src/io/world/", "yaml-cpp": "src/io/scenario/", "zstd": "src/io/mcap/"}
+LIBRARIES = {"embree": "src/echo/cpu/", "assimp": "src/io/mesh/", "sdf/": "src/io/sdf/", "yaml-cpp": "src/io/scenario/", "zstd": "src/io/mcap/"}
 
 # The module that each public header speaks for. Those in a folder of include/insonify/ speak for the module of its name.
 PUBLIC = {
@@ -108,7 +106,7 @@ PUBLIC = {
     "scenario.h": "simulator",
     "scenario_requests.h": "simulator",
     "scattering.h": "scene",
-    "scene_view.h": "simulator",
+    "scene_view.h": "view",
     "simulator.h": "simulator",
     "describe.h": "io",
     "files.h": "io",

@@ -1,7 +1,7 @@
 // view_subject.cpp -- traces a few hundred rays through the sector and finds the extreme points of the objects they
 // hit.
 
-#include "simulator/view/view_subject.h"
+#include "view/view_subject.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

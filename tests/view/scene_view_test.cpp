@@ -6,9 +6,9 @@
 
 #include "insonify/error.h"
 #include "insonify/mesh.h"
-#include "simulator/view/camera.h"
 #include "support/message_of.h"
 #include "support/test_engine.h"
+#include "view/camera.h"
 
 namespace insonify::scene_view_test {
 namespace {

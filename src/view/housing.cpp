@@ -1,6 +1,6 @@
 // housing.cpp -- intersection of a ray with a capped cylinder.
 
-#include "simulator/view/housing.h"
+#include "view/housing.h"
 
 #include <cmath>
 #include <limits>

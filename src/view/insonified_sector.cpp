@@ -1,6 +1,6 @@
 // insonified_sector.cpp -- limits, edges and containment test of the insonified sector.
 
-#include "simulator/view/insonified_sector.h"
+#include "view/insonified_sector.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // camera.cpp -- perspective projection and its inverse.
 
-#include "simulator/view/camera.h"
+#include "view/camera.h"
 
 #include <cmath>
 

@@ -7,7 +7,7 @@
 
 #include "image/canvas.h"
 #include "insonify/error.h"
-#include "simulator/view/renderer.h"
+#include "view/renderer.h"
 
 namespace insonify {
 namespace {

@@ -1,6 +1,6 @@
 // underwater_light.cpp -- colours chosen by eye for clear water in daylight and distinguishable materials.
 
-#include "simulator/view/underwater_light.h"
+#include "view/underwater_light.h"
 
 #include <algorithm>
 #include <array>

@@ -1,14 +1,14 @@
 // renderer.cpp -- Lambert shading with haze, a light over the camera's shoulder, and a yellow tint where the sonar
 // insonifies.
 
-#include "simulator/view/renderer.h"
+#include "view/renderer.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "simulator/view/underwater_light.h"
-#include "simulator/view/value_noise.h"
+#include "view/underwater_light.h"
+#include "view/value_noise.h"
 
 namespace insonify {
 namespace {

@@ -1,6 +1,6 @@
 // value_noise.cpp -- value noise (Perlin's fractal sum of random values at grid points, blended between them).
 
-#include "simulator/view/value_noise.h"
+#include "view/value_noise.h"
 
 #include <cmath>
 #include <cstdint>

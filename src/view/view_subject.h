@@ -7,7 +7,7 @@
 
 #include "echo/engine.h"
 #include "insonify/scene.h"
-#include "simulator/view/insonified_sector.h"
+#include "view/insonified_sector.h"
 
 namespace insonify {
 

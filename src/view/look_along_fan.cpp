@@ -8,7 +8,7 @@
 #include "insonify/acoustics/absorption.h"
 #include "insonify/error.h"
 #include "insonify/scene_view.h"
-#include "simulator/view/insonified_sector.h"
+#include "view/insonified_sector.h"
 
 namespace insonify {
 

@@ -8,9 +8,9 @@
 #include "base/parallel.h"
 #include "echo/engine.h"
 #include "image/canvas.h"
-#include "simulator/view/camera.h"
-#include "simulator/view/housing.h"
-#include "simulator/view/insonified_sector.h"
+#include "view/camera.h"
+#include "view/housing.h"
+#include "view/insonified_sector.h"
 
 namespace insonify {
 

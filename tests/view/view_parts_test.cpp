@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "simulator/view/camera.h"
-#include "simulator/view/housing.h"
-#include "simulator/view/insonified_sector.h"
-#include "simulator/view/underwater_light.h"
-#include "simulator/view/value_noise.h"
+#include "view/camera.h"
+#include "view/housing.h"
+#include "view/insonified_sector.h"
+#include "view/underwater_light.h"
+#include "view/value_noise.h"
 
 namespace insonify::view_parts_test {
 namespace {

@@ -6,9 +6,9 @@
 #include <numeric>
 
 #include "insonify/scene_view.h"
-#include "simulator/view/camera.h"
-#include "simulator/view/insonified_sector.h"
-#include "simulator/view/view_subject.h"
+#include "view/camera.h"
+#include "view/insonified_sector.h"
+#include "view/view_subject.h"
 
 namespace insonify {
 namespace {
@@ -20,7 +20,6 @@ constexpr double kMargin =
     0.80;  // Likewise where a camera is placed: smaller, since objects extend beyond the points seen on them.
 constexpr double kSonarMargin = 0.74;
 constexpr double kMostShown = 0.95;  // Fraction of the points' weight that determines the camera's distance.
-constexpr double kNearest = 0.1;     // Least camera distance, in mean distances of the points from the sonar.
 constexpr double kClearance = 1e-3;  // Fraction by which lines of sight are shortened.
 constexpr double kFieldOfViewDeg = 50;
 
@@ -44,14 +43,6 @@ double most_of(std::vector<std::pair<double, double>>& values) {
     }
   }
   return values.back().first;
-}
-
-double mean_distance(const std::vector<SeenPoint>& points, const Vec3& from) {
-  double sum = 0;
-  for (const SeenPoint& point : points) {
-    sum += (point.place - from).norm();
-  }
-  return sum / static_cast<double>(points.size());
 }
 
 // The nearest camera looking in the direction -towards that has most of the points, and the sonar, in its frame.
@@ -97,7 +88,7 @@ Candidate fit(const ViewSubject& subject, const Vec3& sonar, const Vec3& towards
   const Fit across = fit_along(axes.right(), half_width);
   const Fit along = fit_along(axes.up(), half_width * kHeight / kWidth);
   const Vec3 middle = sonar + across.middle * axes.right() + along.middle * axes.up();
-  const double distance = std::max({across.distance, along.distance, kNearest * mean_distance(subject.points, sonar)});
+  const double distance = std::max(across.distance, along.distance);
   // Any look_at in front of the camera would do; this one is about as far away as the sonar.
   const ViewConfig view{.position = middle + distance * towards, .look_at = middle, .field_of_view = field_of_view};
   // Prefers views that fill the frame in both directions.
@@ -111,12 +102,7 @@ std::vector<Candidate> candidates_around(Engine& engine, const ViewSubject& subj
   for (const SeenPoint& point : subject.points) {
     ahead += point.weight * (point.place - sonar.position);
   }
-  const double length = ahead.norm();
   ahead.z() = 0;
-  if (ahead.norm() < 0.05 * length) {  // The sonar looks down, or all around.
-    ahead = sonar.orientation * Vec3::UnitX();
-    ahead.z() = 0;
-  }
   ahead = ahead.norm() > 1e-6 ? ahead.normalized() : Vec3(Vec3::UnitX());
 
   std::vector<Candidate> candidates;
@@ -141,7 +127,6 @@ std::vector<Candidate> candidates_around(Engine& engine, const ViewSubject& subj
   for (std::size_t i = 0; i < rays.size(); ++i) {
     if (std::isfinite(hits[i].distance)) {
       candidates[i].view.position = sonar.position + 0.88 * hits[i].distance * rays[i].direction;
-      candidates[i].merit -= 0.05;
     }
   }
   return candidates;
@@ -153,59 +138,44 @@ bool in_frame(const Camera& camera, const Vec3& place) {
          std::abs(2 * image.y / kHeight - 1) < kInFrame;
 }
 
-// Worth of a camera: fraction of the points' weight that it sees from their front, plus half if it sees the sonar,
-// minus a penalty for each ray that hits a surface close to the camera. Rays of all cameras are traced together.
+// Worth of a camera: fraction of the points' weight that it sees from their front, plus half if it sees the sonar. Rays
+// of all cameras are traced together.
 class Worth {
  public:
   /// Appends the camera's rays to `rays`.
   Worth(const ViewConfig& view, const std::vector<SeenPoint>& points, const Vec3& sonar, std::vector<Ray>& rays)
       : first_ray_(rays.size()) {
     const Camera camera(view, kWidth, kHeight);
-    double total = 0;
     const auto look_at = [&](const Vec3& place, double weight) {
       const Vec3 way = place - view.position;
       rays.push_back({view.position, way.normalized(), 0, way.norm() * (1 - kClearance)});
       weights_.push_back(weight);
     };
     for (const SeenPoint& point : points) {
-      total += point.weight;
+      total_ += point.weight;
       const bool from_front = point.normal.isZero() || point.normal.dot(view.position - point.place) > 0;
       if (from_front && in_frame(camera, point.place)) {
         look_at(point.place, point.weight);
       }
     }
     if (in_frame(camera, sonar)) {
-      look_at(sonar, 0.5 * total);
+      look_at(sonar, 0.5 * total_);
     }
-    for (double& weight : weights_) {
-      weight /= total;
-    }
-    const double near = 0.15 * (view.look_at - view.position).norm();
-    for (const double x : {0.0, kWidth / 2.0, kWidth * 1.0}) {
-      for (const double y : {0.0, kHeight / 2.0, kHeight * 1.0}) {
-        rays.push_back({view.position, camera.direction(x, y), 0, near});
-      }
-    }
-    ray_count_ = rays.size() - first_ray_;
   }
 
   /// @param hits  Of the rays of all cameras.
   [[nodiscard]] double of(std::span<const Hit> hits) const {
-    double worth = 0;
-    for (std::size_t i = 0; i < ray_count_; ++i) {
-      const bool free = !std::isfinite(hits[first_ray_ + i].distance);
-      if (i < weights_.size()) {
-        worth += free ? weights_[i] : 0;
-      } else {
-        worth -= free ? 0 : 0.08;
-      }
+    double seen = 0;
+    for (std::size_t i = 0; i < weights_.size(); ++i) {
+      seen += std::isfinite(hits[first_ray_ + i].distance) ? 0 : weights_[i];
     }
-    return worth;
+    return seen / total_;
   }
 
  private:
-  std::size_t first_ray_, ray_count_ = 0;
-  std::vector<double> weights_;  // Weights of the lines of sight, which are the first rays.
+  std::size_t first_ray_;
+  double total_ = 0;
+  std::vector<double> weights_;  // Those of what the rays go to.
 };
 
 // Pitches a camera until the points are vertically centred in its frame: perspective gives near points more room below
@@ -232,7 +202,7 @@ ViewConfig aimed(ViewConfig view, const ViewSubject& subject, const Vec3& sonar)
     }
   }
   const double sonar_height = height_of(sonar);
-  if (highs.empty() || std::abs(sonar_height) > half) {
+  if (highs.empty()) {
     return view;
   }
   double high = std::max(most_of(highs), sonar_height);
