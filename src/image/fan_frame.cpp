@@ -86,6 +86,30 @@ class LabelPlacer {
   std::vector<FanLabel> labels_;
 };
 
+// The most important labels first, because later ones give way to them: azimuth 0, edges, rings, other radials.
+template <typename PutRadial, typename PutEdge, typename PutRing>
+void put_in_order(const FanMarks& marks, const PutRadial& put_radial, const PutEdge& put_edge,
+                  const PutRing& put_ring) {
+  for (const Radial& radial : marks.radials) {
+    if (!radial.edge && radial.azimuth == 0) {
+      put_radial(radial);
+    }
+  }
+  for (const Radial& radial : marks.radials) {
+    if (radial.edge) {
+      put_edge(radial);
+    }
+  }
+  for (auto ring = marks.rings.rbegin(); ring != marks.rings.rend(); ++ring) {
+    put_ring(*ring);
+  }
+  for (const Radial& radial : marks.radials) {
+    if (!radial.edge && radial.azimuth != 0) {
+      put_radial(radial);
+    }
+  }
+}
+
 std::vector<FanLabel> labels_of(const FanShape& shape, const FanMarks& marks, const FanGeometry& geometry,
                                 const Page& page) {
   LabelPlacer placer(page);
@@ -121,25 +145,7 @@ std::vector<FanLabel> labels_of(const FanShape& shape, const FanMarks& marks, co
       return placer.put_beside(point, {-std::cos(turn), std::sin(turn)}, text) || !gives_way;
     });
   };
-  // The most important labels first, because later ones give way to them: azimuth 0, edges, rings, other radials.
-  for (const Radial& radial : marks.radials) {
-    if (!radial.edge && radial.azimuth == 0) {
-      label_radial(radial);
-    }
-  }
-  for (const Radial& radial : marks.radials) {
-    if (radial.edge) {
-      label_edge(radial);
-    }
-  }
-  for (auto ring = marks.rings.rbegin(); ring != marks.rings.rend(); ++ring) {
-    label_ring(*ring);
-  }
-  for (const Radial& radial : marks.radials) {
-    if (!radial.edge && radial.azimuth != 0) {
-      label_radial(radial);
-    }
-  }
+  put_in_order(marks, label_radial, label_edge, label_ring);
   return placer.take();
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numbers>
 
@@ -73,6 +74,27 @@ Material bottom(const char* name, const char* sediment_name) {
   return bottom;
 }
 
+// Coarse to fine.
+std::vector<Material> make_bottoms() {
+  return {
+      bottom("rock", "rock"),
+      bottom("gravel", "gravel"),
+      bottom("sandy_gravel", "sandy_gravel"),
+      bottom("very_coarse_sand", "very_coarse_sand"),
+      bottom("coarse_sand", "coarse_sand"),
+      bottom("sand", "medium_sand"),
+      bottom("fine_sand", "fine_sand"),
+      bottom("very_fine_sand", "very_fine_sand"),
+      bottom("clayey_sand", "clayey_sand"),
+      bottom("silt", "coarse_silt"),
+      bottom("sandy_silt", "sandy_silt"),
+      bottom("sandy_mud", "sandy_mud"),
+      bottom("sandy_clay", "sandy_clay"),
+      bottom("mud", "silty_clay"),
+      bottom("clay", "clay"),
+  };
+}
+
 std::vector<Material> make_library() {
   std::vector<Material> library = {
       // Gas and metals.
@@ -116,23 +138,8 @@ std::vector<Material> make_library() {
       solid(material("ice", 917, 3840, -20, 0.2, 2e-3, kTypical), 1930),
       material("tissue", 1060, 1540, -25, 0.3, 2e-4, kTypical),
       solid(material("bone", 1900, 3500, -20, 0.2, 2e-4, kTypical), 1800),
-      // Bottoms, coarse to fine.
-      bottom("rock", "rock"),
-      bottom("gravel", "gravel"),
-      bottom("sandy_gravel", "sandy_gravel"),
-      bottom("very_coarse_sand", "very_coarse_sand"),
-      bottom("coarse_sand", "coarse_sand"),
-      bottom("sand", "medium_sand"),
-      bottom("fine_sand", "fine_sand"),
-      bottom("very_fine_sand", "very_fine_sand"),
-      bottom("clayey_sand", "clayey_sand"),
-      bottom("silt", "coarse_silt"),
-      bottom("sandy_silt", "sandy_silt"),
-      bottom("sandy_mud", "sandy_mud"),
-      bottom("sandy_clay", "sandy_clay"),
-      bottom("mud", "silty_clay"),
-      bottom("clay", "clay"),
   };
+  std::ranges::move(make_bottoms(), std::back_inserter(library));
   std::ranges::sort(library, {}, &Material::name);
   return library;
 }

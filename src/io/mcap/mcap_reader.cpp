@@ -96,9 +96,42 @@ std::vector<std::byte> McapReader::bytes_at(std::uint64_t place, std::uint64_t c
   return bytes;
 }
 
+// The head of a chunk of `length` bytes at `at`.
+void McapReader::read_chunk(std::uint64_t at, std::uint64_t length) {
+  constexpr std::uint64_t kChunkHead = 8 + 8 + 8 + 4 + 4 + 4 + 8;  // With a compression of four letters.
+  const std::vector<std::byte> bytes = bytes_at(at, std::min(length, kChunkHead));
+  Fields fields(bytes);
+  Chunk chunk;
+  (void)fields.take(16);  // Times.
+  chunk.size = fields.get<std::uint64_t>();
+  chunk.crc = fields.get<std::uint32_t>();
+  const std::string compression = fields.text();
+  if (compression != "zstd") {
+    fail(fmt::format("its chunks are compressed by \"{}\", not by zstd as insonify does", compression));
+  }
+  chunk.packed = fields.get<std::uint64_t>();
+  chunk.at = at + kChunkHead;
+  if (chunk.packed != length - kChunkHead || chunk.size > kMostUnpacked) {
+    fail("has a chunk of another length than it says");
+  }
+  chunks_.push_back(chunk);
+}
+
+// Where the messages of a channel are in the last chunk.
+void McapReader::read_index(const std::vector<std::byte>& bytes) {
+  Fields fields(bytes);
+  if (chunks_.empty()) {
+    fail("has an index before its first chunk");
+  }
+  std::vector<Entry>& entries = entries_[fields.get<std::uint16_t>()];
+  for (std::uint32_t count = fields.get<std::uint32_t>() / 16; count > 0; --count) {
+    const auto time = fields.get<std::uint64_t>();
+    entries.push_back({time, chunks_.size() - 1, fields.get<std::uint64_t>()});
+  }
+}
+
 // Up to the end of the data, or of what a killed run has written.
 void McapReader::read_records() {
-  constexpr std::uint64_t kChunkHead = 8 + 8 + 8 + 4 + 4 + 4 + 8;  // With a compression of four letters.
   for (std::uint64_t at = kMcapMagic.size(); at + kMcapRecordHead <= size_;) {
     const std::vector<std::byte> start = bytes_at(at, kMcapRecordHead);
     Fields head(start);
@@ -114,33 +147,9 @@ void McapReader::read_records() {
       return;
     }
     if (op == McapOp::kChunk) {
-      const std::vector<std::byte> bytes = bytes_at(at, std::min(length, kChunkHead));
-      Fields fields(bytes);
-      Chunk chunk;
-      (void)fields.take(16);  // Times.
-      chunk.size = fields.get<std::uint64_t>();
-      chunk.crc = fields.get<std::uint32_t>();
-      const std::string compression = fields.text();
-      if (compression != "zstd") {
-        fail(fmt::format("its chunks are compressed by \"{}\", not by zstd as insonify does", compression));
-      }
-      chunk.packed = fields.get<std::uint64_t>();
-      chunk.at = at + kChunkHead;
-      if (chunk.packed != length - kChunkHead || chunk.size > kMostUnpacked) {
-        fail("has a chunk of another length than it says");
-      }
-      chunks_.push_back(chunk);
+      read_chunk(at, length);
     } else if (op == McapOp::kMessageIndex) {
-      const std::vector<std::byte> bytes = bytes_at(at, length);
-      Fields fields(bytes);
-      if (chunks_.empty()) {
-        fail("has an index before its first chunk");
-      }
-      std::vector<Entry>& entries = entries_[fields.get<std::uint16_t>()];
-      for (std::uint32_t count = fields.get<std::uint32_t>() / 16; count > 0; --count) {
-        const auto time = fields.get<std::uint64_t>();
-        entries.push_back({time, chunks_.size() - 1, fields.get<std::uint64_t>()});
-      }
+      read_index(bytes_at(at, length));
     } else if (op == McapOp::kMetadata) {
       const std::vector<std::byte> bytes = bytes_at(at, length);
       Fields fields(bytes);

@@ -47,6 +47,8 @@ class McapReader {
   };
 
   void read_records();
+  void read_chunk(std::uint64_t at, std::uint64_t length);
+  void read_index(const std::vector<std::byte>& bytes);
   void read_channels();
   [[nodiscard]] std::vector<std::byte> bytes_at(std::uint64_t place, std::uint64_t count) const;
   [[nodiscard]] const std::vector<std::byte>& unpacked(std::size_t chunk) const;

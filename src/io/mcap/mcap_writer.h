@@ -97,9 +97,11 @@ class McapWriter {
   void begin_chunk();
   void put_message(std::uint64_t time_ns, const Message& message);
   void write_chunk();
+  [[nodiscard]] std::map<std::uint16_t, std::vector<IndexEntry>> index_up_to(std::size_t bytes) const;
   void write_pings(std::size_t count);
   void save_what_fits();
   void put_metadata(const std::string& name, const std::map<std::string, std::string>& texts);
+  void put_statistics(McapBytes& summary) const;
   void write_summary();
   void write(std::span<const std::byte> bytes);
   void finish();

@@ -93,18 +93,28 @@ void McapWriter::write_chunk() {
   ping_ends_.clear();
 }
 
+// Entries of the messages within the first `bytes` of the chunk.
+std::map<std::uint16_t, std::vector<McapWriter::IndexEntry>> McapWriter::index_up_to(std::size_t bytes) const {
+  std::map<std::uint16_t, std::vector<IndexEntry>> index;
+  for (const auto& [channel, entries] : chunk_index_) {
+    for (const IndexEntry& entry : entries) {
+      if (entry.offset < bytes) {
+        index[channel].push_back(entry);
+      }
+    }
+  }
+  return index;
+}
+
 // A chunk of the first pings and its indexes go to the file in one piece.
 void McapWriter::write_pings(std::size_t count) {
   const std::span<const std::byte> records = chunk_.bytes().first(ping_ends_[count - 1]);
-  std::map<std::uint16_t, std::vector<IndexEntry>> index;
+  const std::map<std::uint16_t, std::vector<IndexEntry>> index = index_up_to(records.size());
   std::uint64_t first = std::numeric_limits<std::uint64_t>::max(), last = 0;
-  for (const auto& [channel, entries] : chunk_index_) {
+  for (const auto& [channel, entries] : index) {
     for (const IndexEntry& entry : entries) {
-      if (entry.offset < records.size()) {
-        index[channel].push_back(entry);
-        first = std::min(first, entry.time);
-        last = std::max(last, entry.time);
-      }
+      first = std::min(first, entry.time);
+      last = std::max(last, entry.time);
     }
   }
   const std::vector<std::byte> packed = compressed(records);
@@ -168,6 +178,24 @@ void McapWriter::save_what_fits() {
   }
 }
 
+void McapWriter::put_statistics(McapBytes& summary) const {
+  std::map<std::uint16_t, std::uint64_t> counts = written_.by_channel;
+  for (std::size_t i = 0; i < written_channels_; ++i) {
+    counts.try_emplace(static_cast<std::uint16_t>(i), 0);
+  }
+  summary.record(McapOp::kStatistics, [&] {
+    summary.put(written_.messages);
+    summary.put(static_cast<std::uint16_t>(written_schemas_));
+    summary.put(static_cast<std::uint32_t>(written_channels_));
+    summary.put(std::uint32_t{0});  // Attachments.
+    summary.put(written_.metadata);
+    summary.put(written_.chunks);
+    summary.put(written_.first_time);
+    summary.put(written_.last_time);
+    summary.put_map(counts);
+  });
+}
+
 void McapWriter::write_summary() {
   McapBytes data_end;
   data_end.record(McapOp::kDataEnd, [&] { data_end.put(written_.crc); });
@@ -197,23 +225,7 @@ void McapWriter::write_summary() {
       put_channel(summary, i);
     }
   });
-  group(McapOp::kStatistics, [&] {
-    summary.record(McapOp::kStatistics, [&] {
-      std::map<std::uint16_t, std::uint64_t> counts = written_.by_channel;
-      for (std::size_t i = 0; i < written_channels_; ++i) {
-        counts.try_emplace(static_cast<std::uint16_t>(i), 0);
-      }
-      summary.put(written_.messages);
-      summary.put(static_cast<std::uint16_t>(written_schemas_));
-      summary.put(static_cast<std::uint32_t>(written_channels_));
-      summary.put(std::uint32_t{0});  // Attachments.
-      summary.put(written_.metadata);
-      summary.put(written_.chunks);
-      summary.put(written_.first_time);
-      summary.put(written_.last_time);
-      summary.put_map(counts);
-    });
-  });
+  group(McapOp::kStatistics, [&] { put_statistics(summary); });
   group(McapOp::kChunkIndex, [&] { summary.append(written_.chunk_indexes.bytes()); });
   group(McapOp::kMetadataIndex, [&] { summary.append(written_.metadata_indexes.bytes()); });
   const std::uint64_t offsets_start = start + summary.size();

@@ -83,6 +83,19 @@ Hdf5Tables::Hdf5Tables(const std::filesystem::path& path) : RecordedTables(path)
   }
 }
 
+// The attributes of a dataset, and the names of its axes among them.
+void Hdf5Tables::read_axes(hid_t dataset, RecordedTable& table) const {
+  table.notes = hdf5_attributes_json(dataset, path_, table.name);
+  if (table.notes.contains("axes") && !table.notes["axes"].is_string()) {
+    throw Error(fmt::format("{}: the attribute axes of {} cannot be read", path_.string(), table.name));
+  }
+  std::istringstream words(table.notes.value("axes", ""));
+  for (std::string axis; words >> axis;) {
+    table.axes.push_back(axis);
+  }
+  table.notes.erase("axes");
+}
+
 void Hdf5Tables::add_table(const std::string& name) {
   if (name == "." || name == "..") {
     throw Error(fmt::format("{}: is not a recording: it has a dataset called {}", path_.string(), name));
@@ -119,15 +132,7 @@ void Hdf5Tables::add_table(const std::string& name) {
       throw Error(fmt::format("{}: is not a recording: a row of {} is too large", path_.string(), name));
     }
   }
-  table.notes = hdf5_attributes_json(dataset.get(), path_, name);
-  if (table.notes.contains("axes") && !table.notes["axes"].is_string()) {
-    throw Error(fmt::format("{}: the attribute axes of {} cannot be read", path_.string(), name));
-  }
-  std::istringstream words(table.notes.value("axes", ""));
-  for (std::string axis; words >> axis;) {
-    table.axes.push_back(axis);
-  }
-  table.notes.erase("axes");
+  read_axes(dataset.get(), table);
   table.by_ping = !shape.empty() && (name == "intensity" || (!table.axes.empty() && table.axes.front() == "ping"));
   if (table.by_ping) {
     ping_count_ = std::min<std::uint64_t>(ping_count_, shape.front());

@@ -24,6 +24,7 @@ class Hdf5Tables : public RecordedTables {
 
  private:
   void add_table(const std::string& name);
+  void read_axes(hid_t dataset, RecordedTable& table) const;
 
   H5Handle file_;
   std::optional<GrowingState> state_;
