@@ -128,7 +128,7 @@ def follow_emulated(path, insonify, instrument, seconds):
             found, bin_length, lost = follow(address, seconds, start)
         finally:
             program.send_signal(signal.SIGINT)
-            report = program.communicate(timeout=20)[0].splitlines()[-1]
+            report = program.communicate(timeout=120)[0].splitlines()[-1]
     return found, bin_length, lost, report
 
 

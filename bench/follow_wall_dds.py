@@ -38,8 +38,8 @@ def follow(path, insonify, vehicle, seconds, distance_at):
                 bridge.wait(seconds)  # It goes on all the time.
         finally:
             bridge.send_signal(signal.SIGINT)
-            report = bridge.communicate(timeout=20)[0].splitlines()[-1]
-            lines = ride.communicate(timeout=20)[0].splitlines()
+            report = bridge.communicate(timeout=120)[0].splitlines()[-1]
+            lines = ride.communicate(timeout=120)[0].splitlines()
     rows = [tuple(map(float, line.split())) for line in lines]
     if not rows:
         raise RuntimeError(f"no message came: {report}")

@@ -26,9 +26,9 @@ def follow(path, insonify, vehicle, seconds, distance_at):
             with contextlib.suppress(subprocess.TimeoutExpired):
                 bridge.wait(seconds)  # It goes on all the time.
         finally:
-            lines = ride.communicate(timeout=20)[0].splitlines()
+            lines = ride.communicate(timeout=120)[0].splitlines()
             bridge.send_signal(signal.SIGINT)
-            report = bridge.communicate(timeout=20)[0].splitlines()[-1]
+            report = bridge.communicate(timeout=120)[0].splitlines()[-1]
     rows = [tuple(map(float, line.split())) for line in lines]
     if not rows:
         raise RuntimeError(f"no message came: {report}")

@@ -136,7 +136,7 @@ def follow(path, insonify, seconds, distance_at):
         pilot.start()
         time.sleep(seconds)
         bridge.send_signal(signal.SIGINT)
-        report = bridge.communicate(timeout=20)[0].splitlines()[-1]
+        report = bridge.communicate(timeout=120)[0].splitlines()[-1]
         time.sleep(0.3)
         riding.set()
         pilot.join()

@@ -28,7 +28,7 @@ class Emulated:
         """Exit status, what was printed on both streams, and how long it took [s]."""
         start = time.monotonic()
         self.process.send_signal(signal.SIGINT)
-        out, err = self.process.communicate(timeout=10)
+        out, err = self.process.communicate(timeout=120)
         return self.process.returncode, out, err, time.monotonic() - start
 
     def close(self):

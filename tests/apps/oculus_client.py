@@ -147,7 +147,7 @@ def status_listener(address=""):
     listener = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
     listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     listener.bind((address, STATUS_PORT))
-    listener.settimeout(10)
+    listener.settimeout(60)
     return listener
 
 

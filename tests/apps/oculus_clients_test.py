@@ -170,13 +170,13 @@ class OculusClientsTest(OculusCase):
                 (["--address", "::1"],
                  "--address ::1 must be one IPv4 address: the sonar sends it in its status messages")):
             done = subprocess.run([INSONIFY, "emulate", "oculus", "dive.yaml", "--port", "0", *options],
-                                  cwd=sonar.path, capture_output=True, text=True, timeout=20, check=False)
+                                  cwd=sonar.path, capture_output=True, text=True, timeout=120, check=False)
             self.assertEqual((done.returncode, done.stderr), (2, f"insonify: {message_text}\n"))
         for address, failure in (
                 (sonar.address, f"cannot listen on TCP port 52100 of {sonar.address}: Address already in use"),
                 ("203.0.113.77", "--address 203.0.113.77: no network interface of this machine has it")):
             done = subprocess.run([INSONIFY, "emulate", "oculus", "dive.yaml", "--address", address],
-                                  cwd=sonar.path, capture_output=True, text=True, timeout=20, check=False)
+                                  cwd=sonar.path, capture_output=True, text=True, timeout=120, check=False)
             self.assertEqual((done.returncode, done.stderr.splitlines()[-1]), (1, f"insonify: {failure}"))
 
 

@@ -63,7 +63,7 @@ class OculusTest(OculusCase):
                 self.assertEqual(number[2], number[0] | ~number[1] & 0xffffffff)
             finally:
                 program.send_signal(signal.SIGINT)
-                err = program.communicate(timeout=10)[1]
+                err = program.communicate(timeout=120)[1]
         self.assertEqual(err, f"insonify: warning: whoever reaches {own} can command this sonar: its protocol knows no "
                               "password\n")
 

@@ -49,7 +49,7 @@ class Instrument(Emulated):
         self.address = ("127.0.0.1", int(line.rsplit(":", 1)[1]))
         self.serial = self.process.stdout.readline().split()[-1] if "--pty" in options else None
         self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
-        self.socket.settimeout(10)
+        self.socket.settimeout(60)
 
     def send(self, data):
         self.socket.sendto(data, self.address)
@@ -245,10 +245,10 @@ class Ping360Test(unittest.TestCase):
                 (["--address", "here"],
                  "--address here must be an IP address, such as 127.0.0.1 or ::1, or localhost")):
             done = subprocess.run([INSONIFY, "emulate", "ping360", "scan.yaml", "--port", "0", *options],
-                                  cwd=sonar.path, capture_output=True, text=True, timeout=20, check=False)
+                                  cwd=sonar.path, capture_output=True, text=True, timeout=120, check=False)
             self.assertEqual((done.returncode, done.stderr), (2, f"insonify: {message}\n"))
         done = subprocess.run([INSONIFY, "emulate", "ping360", "scan.yaml", "--port", str(sonar.address[1])],
-                              cwd=sonar.path, capture_output=True, text=True, timeout=20, check=False)
+                              cwd=sonar.path, capture_output=True, text=True, timeout=120, check=False)
         self.assertEqual((done.returncode, done.stderr),
                          (1, f"insonify: cannot listen on UDP port {sonar.address[1]} of 127.0.0.1: "
                              "Address already in use\n"))

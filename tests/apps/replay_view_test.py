@@ -276,7 +276,7 @@ class Starting(unittest.TestCase):
                                         stdout=subprocess.PIPE, stderr=subprocess.PIPE)
                 done.stdout.readline()
                 done.send_signal(signal.SIGTERM)
-                self.assertIn("has other objects than the recording", done.communicate(timeout=20)[1], file)
+                self.assertIn("has other objects than the recording", done.communicate(timeout=120)[1], file)
         finally:
             server.close()
 
@@ -305,7 +305,7 @@ class Starting(unittest.TestCase):
                                     stdout=subprocess.PIPE, stderr=subprocess.PIPE)
             done.stdout.readline()
             done.send_signal(signal.SIGTERM)
-            told = done.communicate(timeout=20)[1]
+            told = done.communicate(timeout=120)[1]
             self.assertIn("run.mcap is unfinished: the run that wrote it was killed", told)
             self.assertIn("it has 12 pings", told)
         finally:

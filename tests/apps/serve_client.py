@@ -55,7 +55,7 @@ class Server:
         """Returns the exit status, what it said and how long it took."""
         start = time.monotonic()
         self.process.send_signal(number)
-        out, err = self.process.communicate(timeout=20)
+        out, err = self.process.communicate(timeout=120)
         return self.process.returncode, out, err, time.monotonic() - start
 
     def close(self):
@@ -69,7 +69,7 @@ class Socket:
     """A connection that reads and writes bytes, HTTP and frames."""
 
     def __init__(self, port, host="127.0.0.1"):
-        self.raw = socket.create_connection((host, port), timeout=10)
+        self.raw = socket.create_connection((host, port), timeout=60)
         self.rest = b""
 
     def send(self, data):

@@ -30,7 +30,7 @@ class Starting(unittest.TestCase):
         return server
 
     def refused(self, *options):
-        run = subprocess.run([INSONIFY, "serve", *options], text=True, capture_output=True, timeout=20, check=False)
+        run = subprocess.run([INSONIFY, "serve", *options], text=True, capture_output=True, timeout=120, check=False)
         self.assertEqual(run.stdout, "")
         return run.returncode, run.stderr
 
@@ -232,12 +232,12 @@ sonars: [{name: head, type: msis, beam_count: 1, azimuth_aperture_deg: 4, step_d
         server.end()
         self.assertTrue((server.path / "dive.mcap").exists())
         run = subprocess.run([INSONIFY, "serve", "live.yaml", "--port", "0", "--record", "dive.mcap"], cwd=server.path,
-                             text=True, capture_output=True, timeout=20, check=False)
+                             text=True, capture_output=True, timeout=120, check=False)
         self.assertEqual((run.returncode, run.stdout, run.stderr),
                          (2, "", "insonify: --record dive.mcap: dive.mcap exists already; --force replaces it, or give another name\n"))
         (server.path / "dive.mcap").unlink()
         run = subprocess.run([INSONIFY, "serve", "live.yaml", "--port", "0", "--record", "dive.mcap"], cwd=server.path,
-                             text=True, capture_output=True, timeout=20, check=False)
+                             text=True, capture_output=True, timeout=120, check=False)
         self.assertEqual((run.returncode, run.stdout, run.stderr),
                          (2, "", "insonify: --record dive.mcap: dive.yaml exists already, where the scenario that repeats the "
                                  "recording is to be written; --force replaces it, or give another name\n"))
@@ -264,7 +264,7 @@ sonars: [{name: head, type: msis, beam_count: 1, azimuth_aperture_deg: 4, step_d
         server.end()
         first = (server.path / "dive.h5").read_bytes(), (server.path / "dive.yaml").read_bytes()
         refused = subprocess.run([INSONIFY, "serve", "dive.yaml", "--port", "0", "--record", "dive.h5", "-f"], cwd=server.path,
-                                 text=True, capture_output=True, timeout=20, check=False)
+                                 text=True, capture_output=True, timeout=120, check=False)
         self.assertEqual((refused.returncode, refused.stdout, refused.stderr),
                          (2, "", "insonify: --record dive.h5: the scenario that repeats the recording would replace dive.yaml, "
                                  "which is served; give another name\n"))
@@ -275,7 +275,7 @@ sonars: [{name: head, type: msis, beam_count: 1, azimuth_aperture_deg: 4, step_d
         Socket(int(again.stdout.readline().rstrip("/\n").rsplit(":", 1)[1])).open_for_ping()
         self.assertEqual(first[0], (server.path / "dive.h5").read_bytes(), "the earlier one stays until the end")
         again.send_signal(signal.SIGINT)
-        out, err = again.communicate(timeout=20)
+        out, err = again.communicate(timeout=120)
         self.assertEqual((again.returncode, err), (0, ""))
         self.assertIn("with dive.yaml", out)
         self.assertIn("two", (server.path / "dive.yaml").read_text())

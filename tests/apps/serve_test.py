@@ -35,6 +35,20 @@ class Serving(unittest.TestCase):
     def socket(self):
         return Socket(self.server.port)
 
+    def close_all(self, sockets):
+        """Closes them, and waits until the server has seen it and answers others."""
+        for one in sockets:
+            one.raw.close()
+        begin = time.monotonic()
+        while not self.answers():
+            self.assertLess(time.monotonic() - begin, 120)
+
+    def answers(self):
+        try:
+            return self.socket().request("/")[0] == 200
+        except (EOFError, ConnectionError):  # Refused, as one too many.
+            return False
+
     def page(self, **options):
         page = self.socket()
         self.assertEqual(page.open(**options)[0], 101)
@@ -247,9 +261,7 @@ class Serving(unittest.TestCase):
         self.assertTrue(many[0].is_closed(), "the one that has waited longest")
         last = many[-1]
         self.assertEqual(last.request("/")[0], 200)
-        for one in many:
-            one.raw.close()
-        time.sleep(0.3)
+        self.close_all(many)
 
     def test_too_many_connections_are_refused(self):
         many = [self.socket() for _ in range(256)]
@@ -257,9 +269,7 @@ class Serving(unittest.TestCase):
             self.assertEqual(one.open()[0], 101)
         status, _, body = self.socket().response()
         self.assertEqual((status, body), (503, b"too many connections\n"))
-        for one in many:
-            one.raw.close()
-        time.sleep(0.5)
+        self.close_all(many)
 
 
 if __name__ == "__main__":

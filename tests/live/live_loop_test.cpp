@@ -120,7 +120,8 @@ TEST_F(LiveLoopTest, AChangeOfSettingsGoesOnAlongTheTrajectory) {
 TEST_F(LiveLoopTest, PausesStepsAndGoesOn) {
   const auto loop = started(scenario_text(), {.threads = 2, .paused = true});
   EXPECT_TRUE(loop->state().paused);
-  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  keeper_.wait_for_all(2);
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
   EXPECT_EQ(keeper_.pings().size(), 2U) << "the first of both, to have something to show";
   loop->step();
   keeper_.wait_for_pings(1);
@@ -140,12 +141,14 @@ TEST_F(LiveLoopTest, KeepsThePaceOfTheClockAndTheLimitOfTheRate) {
     folder_.write("pace.yaml", scenario_text());
     LiveLoop loop("pace.yaml", {}, {.threads = 2, .rate_limit = limit});
     loop.set_speed(speed);
+    const auto begin = std::chrono::steady_clock::now();
     loop.start(keeper);
-    std::this_thread::sleep_for(std::chrono::milliseconds(600));
+    keeper.wait_for_all(16);
     loop.end();
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     const std::vector<LivePing> pings = keeper.pings();
     const auto made = std::ranges::count(pings, 0, &LivePing::sonar);
-    EXPECT_LE(made, 0.6 * most + 2.5);  // One at the start and one of rounding.
+    EXPECT_LE(made, seconds * most + 2.5);  // One at the start and one of rounding.
     EXPECT_GE(made, 2);
   }
 }

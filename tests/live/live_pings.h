@@ -54,7 +54,7 @@ class LiveKeeper : public LiveListener {
     return worlds_.size();
   }
 
-  /// Waits until so many more pings have come; fails after ten seconds.
+  /// Waits until so many more pings have come; fails after two minutes.
   void wait_for_pings(std::size_t more) { wait_for_all(pings().size() + more); }
   /// Waits until so many have come from the start on.
   void wait_for_all(std::size_t wanted) {
@@ -81,7 +81,7 @@ class LiveKeeper : public LiveListener {
   }
 
  private:
-  static constexpr std::chrono::seconds kLong{10};
+  static constexpr std::chrono::seconds kLong{120};
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::vector<LivePing> pings_;
@@ -96,7 +96,7 @@ std::string answer_to(Request&& request) {
   const auto promise = std::make_shared<std::promise<std::string>>();
   std::future<std::string> answer = promise->get_future();
   request([promise](const std::string& error) { promise->set_value(error); });
-  if (answer.wait_for(std::chrono::seconds(20)) != std::future_status::ready) {
+  if (answer.wait_for(std::chrono::seconds(120)) != std::future_status::ready) {
     return "no answer";
   }
   return answer.get();

@@ -65,7 +65,7 @@ class RecordingTransport : public Transport {
   // What was sent of a kind, once so many are there.
   std::vector<Sent> wait_for(MessageKind kind, std::size_t count) {
     std::unique_lock lock(mutex_);
-    EXPECT_TRUE(changed_.wait_for(lock, std::chrono::seconds(10), [&] { return of(kind).size() >= count; }));
+    EXPECT_TRUE(changed_.wait_for(lock, std::chrono::seconds(120), [&] { return of(kind).size() >= count; }));
     return of(kind);
   }
   [[nodiscard]] std::vector<Sent> all() const {
@@ -149,7 +149,10 @@ TEST_F(BridgeTest, WhatNobodyReadsIsNotSent) {
   transport_.read.reset();
   const auto bridge = this->bridge();
   bridge->start();
-  std::this_thread::sleep_for(std::chrono::milliseconds(150));
+  const Clock::time_point start = Clock::now();
+  while (bridge->loop().state().pings_made < 3 && seconds_since(start) < 120) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
   bridge->end();
   EXPECT_GE(bridge->loop().state().pings_made, 3U);
   EXPECT_EQ(transport_.all().size(), 1U);  // The scenario.
@@ -239,7 +242,7 @@ TEST_F(BridgeTest, EndsWhileAPingIsMade) {
   EXPECT_EQ(bridge->loop().state().pings_made, 0U);
   const Clock::time_point start = Clock::now();
   bridge->end();
-  EXPECT_LT(seconds_since(start), 1);
+  EXPECT_LT(seconds_since(start), 10);  // The ping takes longer; 0.1 s on an idle machine.
 }
 
 TEST_F(BridgeTest, WrongInputIsToldAsSuch) {
