@@ -4,61 +4,12 @@
 
 #include <pybind11/pybind11.h>
 
-#include <cmath>
 #include <string>
 
+#include "field_table.h"
 #include "held.h"
-#include "python_types.h"
 
 namespace insonify::python {
-
-/// Sentence on a field for help(): meaning, unit, limits and default.
-template <typename Member>
-std::string help_of(const Field& field, const Member& default_value, double scale, std::string_view unit) {
-  std::string text = std::string(field.help);
-  std::string facts;
-  const auto add = [&](const std::string& fact) { facts += (facts.empty() ? "" : ", ") + fact; };
-  if (!unit.empty()) {
-    add(std::string(unit));
-  }
-  if (std::isfinite(field.limits.least) || std::isfinite(field.limits.most)) {
-    add(field.limits.text(scale));
-  }
-  if constexpr (std::is_enum_v<Member>) {
-    std::string words;
-    for (const auto& [word, meaning] : words_of<Member>()) {
-      words += (words.empty() ? "" : ", ") + std::string(word);
-    }
-    add("one of " + words);
-  }
-  if constexpr (std::is_same_v<Member, double>) {
-    add(fmt::format("default {:.10g}", default_value * scale));  // 120, not 119.99999999999999.
-  } else {
-    add("default " + shown(to_python(default_value, scale)));
-  }
-  return text + " [" + facts + "]";
-}
-
-/// repr() of a value, but with 12 digits: angles are kept in radians, where 15 degrees are
-/// 14.999999999999998.
-inline std::string rounded(py::handle value) {
-  if (py::isinstance<py::float_>(value)) {
-    return shown(py::float_(py::str(fmt::format("{:.12g}", value.cast<double>()))));
-  }
-  if (!py::isinstance<py::tuple>(value)) {
-    return shown(value);
-  }
-  std::string text;
-  for (const py::handle one : py::reinterpret_borrow<py::tuple>(value)) {
-    text += (text.empty() ? "" : ", ") + rounded(one);
-  }
-  return "(" + text + (py::len(value) == 1 ? ",)" : ")");
-}
-
-template <typename Member>
-void check_value(const Field& field, const Member& member) {
-  detail::check_member("", field, member);
-}
 
 /// Sets fields by keyword.
 /// @throws TypeError for an unknown one.
@@ -93,8 +44,9 @@ class ConfigClass {
         name_(name) {
     class_.def(py::init([](const py::kwargs& given) { return made_from(given); }));
     const Config defaults{};
-    int index = 0;
-    Config::visit_fields(defaults, [&](const Field& field, const auto& member) { add_field(field, member, index++); });
+    for (const FieldEntry& entry : field_table<Config>().entries()) {
+      add_field(entry, defaults);
+    }
     if constexpr (HasParts<Config>) {
       Config::visit_parts(defaults, [&](const Part& part, const auto& member) {
         const std::string type = part_type<std::remove_cvref_t<decltype(member)>>();
@@ -118,57 +70,39 @@ class ConfigClass {
   py::class_<Held<Config>>* operator->() { return &class_; }
 
  private:
-  // Calls visit(field, member) on one field.
-  template <typename Self, typename Visit>
-  static void at(Self& config, int wanted, const Visit& visit) {
-    int index = 0;
-    Config::visit_fields(config, [&](const Field& field, auto& member) {
-      if (index++ == wanted) {
-        visit(field, member);
-      }
-    });
-  }
-
   static void check_thawed(const Held<Config>& self, const char* owner, const std::string& name) {
     if (self.frozen != nullptr) {
       throw py::attribute_error(fmt::format("{}.{} cannot be set: {}", owner, name, self.frozen));
     }
   }
 
-  void add_property(const std::string& name, const std::string& help, int index, double scale) {
-    const auto get = [index, scale](const Held<Config>& self) {
-      py::object value;
-      at(self.value, index, [&](const Field&, const auto& member) { value = to_python(member, scale); });
-      return value;
+  void add_property(const FieldEntry& entry, const std::string& name, const std::string& help, double scale) {
+    const auto get = [&entry, scale](const Held<Config>& self) {
+      return entry.type->to_python(entry.in(&self.value), scale);
     };
-    const auto set = [index, scale, name, owner = name_](Held<Config>& self, const py::object& value) {
+    const auto set = [&entry, scale, name, owner = name_](Held<Config>& self, const py::object& value) {
       check_thawed(self, owner, name);
-      at(self.value, index, [&](const Field& field, auto& member) {
-        auto found = member;
-        from_python(value, name, scale, found);
-        check_value(field, found);
-        if constexpr (std::is_same_v<Config, SonarConfig> && std::is_same_v<decltype(found), std::string>) {
-          if (field.name == "name") {
-            SonarConfig named;
-            named.name = found;
-            named.validate();
-          }
+      if constexpr (std::is_same_v<Config, SonarConfig>) {
+        if (entry.field.name == "name") {
+          SonarConfig named;
+          from_python(value, name, scale, named.name);
+          named.validate();
         }
-        member = found;
-        forget_text(self.value);
-      });
+      }
+      entry.type->set(value, name, scale, entry.field, entry.in(&self.value));
+      forget_text(self.value);
     };
     class_.def_property(name.c_str(), get, set, help.c_str());
   }
 
-  template <typename Member>
-  void add_field(const Field& field, const Member& default_value, int index) {
-    add_property(std::string(field.name), help_of(field, default_value, 1, field.unit), index, 1);
-    describe(module_, name_, std::string(field.name), field_type<Member>());
-    const double scale = file_scale_of(field);
-    if (scale != 1) {
-      add_property(file_name_of(field), help_of(field, default_value, scale, file_unit_of(field)), index, scale);
-      describe(module_, name_, file_name_of(field), field_type<Member>());
+  void add_field(const FieldEntry& entry, const Config& defaults) {
+    const auto add = [&](const std::string& name, std::string_view unit, double scale) {
+      add_property(entry, name, FieldTable::help_of(entry, &defaults, scale, unit), scale);
+      describe(module_, name_, name, entry.type->python);
+    };
+    add(std::string(entry.field.name), entry.field.unit, 1);
+    if (const double scale = file_scale_of(entry.field); scale != 1) {
+      add(file_name_of(entry.field), file_unit_of(entry.field), scale);
     }
   }
 
@@ -197,8 +131,6 @@ class ConfigClass {
 
   // For pickle: fields in SI units, parts, and other members.
   static py::tuple state_of(const Held<Config>& self) {
-    py::list fields;
-    Config::visit_fields(self.value, [&](const Field&, const auto& member) { fields.append(to_python(member, 1)); });
     py::dict parts;
     for (const auto& [name, part] : self.parts) {
       parts[py::str(name)] = thawed(part);
@@ -209,21 +141,13 @@ class ConfigClass {
     } else if constexpr (std::is_same_v<Config, Scenario>) {
       rest = py::make_tuple(unwrap<Config>(py::cast(&self), "self").text);
     }
-    return py::make_tuple(fields, parts, rest);
+    return py::make_tuple(field_table<Config>().values(&self.value), parts, rest);
   }
 
   // Whether both have the same class and equal fields and parts; the texts of scenario files
   // may differ.
   static bool equals(const Held<Config>& self, const Held<Config>& other) {
-    bool same = true;
-    int index = 0;
-    Config::visit_fields(self.value, [&](const Field&, const auto& a) {
-      at(other.value, index++, [&](const Field&, const auto& b) {
-        if constexpr (std::is_same_v<decltype(a), decltype(b)>) {
-          same = same && a == b;
-        }
-      });
-    });
+    bool same = field_table<Config>().equal(&self.value, &other.value);
     if constexpr (std::is_same_v<Config, Material>) {
       same = same && self.value.name == other.value.name && self.value.source == other.value.source;
     }
@@ -235,11 +159,7 @@ class ConfigClass {
 
   static Held<Config> from_state(const py::tuple& state) {
     Held<Config> held = wrap(Config{}).template cast<Held<Config>>();
-    const py::list fields = state[0];
-    std::size_t index = 0;
-    Config::visit_fields(held.value, [&](const Field& field, auto& member) {
-      from_python(fields[index++], std::string(field.name), 1, member);
-    });
+    field_table<Config>().set_values(state[0], &held.value);
     for (const std::pair<py::handle, py::handle> part : py::dict(state[1])) {
       held.parts.at(part.first.cast<std::string>()) = py::reinterpret_borrow<py::object>(part.second);
     }
@@ -257,19 +177,7 @@ class ConfigClass {
   // "(name='fls', max_range=20.0)": fields that differ from the defaults.
   static std::string text_of(const Held<Config>& self) {
     const Config defaults{};
-    std::string text;
-    int index = 0;
-    Config::visit_fields(self.value, [&](const Field& field, const auto& member) {
-      at(defaults, index++, [&](const Field&, const auto& other) {
-        if constexpr (std::is_same_v<decltype(member), decltype(other)>) {
-          const double scale = file_scale_of(field);
-          const py::object value = to_python(member, scale);
-          if (!value.equal(to_python(other, scale))) {
-            text += (text.empty() ? "" : ", ") + file_name_of(field) + "=" + rounded(value);
-          }
-        }
-      });
-    });
+    std::string text = field_table<Config>().changes(&self.value, &defaults);
     for (const auto& [name, part] : self.parts) {
       if (!part.is_none() && !(py::hasattr(part, "__len__") && py::len(part) == 0)) {
         text += (text.empty() ? "" : ", ") + name + "=" +
