@@ -25,7 +25,8 @@ if(NOT INSONIFY_EMBREE_MAJOR)
   message(FATAL_ERROR "Neither Embree 4 nor Embree 3 was found (Debian, Ubuntu: libembree-dev)")
 endif()
 
-# libsdformat, whose package and target carry the version in their names. See src/io/world/sdf_math.h.
+# libsdformat, whose package and target carry the version in their names. Without it, SDF files are not read. See
+# src/io/sdf/sdf_math.h.
 foreach(major 14 13 12)
   find_package(sdformat${major} QUIET)
   if(sdformat${major}_FOUND)
@@ -33,7 +34,9 @@ foreach(major 14 13 12)
     break()
   endif()
 endforeach()
-if(NOT INSONIFY_SDFORMAT)
-  message(FATAL_ERROR "None of sdformat 14, 13 and 12 was found (Debian, Ubuntu: libsdformat-dev)")
+if(INSONIFY_SDFORMAT)
+  message(STATUS "Embree ${embree_VERSION}, ${INSONIFY_SDFORMAT} ${${INSONIFY_SDFORMAT}_VERSION}")
+else()
+  message(STATUS "Embree ${embree_VERSION}")
+  message(STATUS "Left out: SDF files (they need sdformat 14, 13 or 12; Debian, Ubuntu: libsdformat-dev)")
 endif()
-message(STATUS "Embree ${embree_VERSION}, ${INSONIFY_SDFORMAT} ${${INSONIFY_SDFORMAT}_VERSION}")

@@ -4,6 +4,9 @@ install(TARGETS insonify EXPORT insonifyTargets
   LIBRARY COMPONENT library NAMELINK_COMPONENT development
   ARCHIVE COMPONENT development
   FILE_SET HEADERS COMPONENT development)
+if(TARGET insonify_sdf)
+  install(TARGETS insonify_sdf LIBRARY COMPONENT library NAMELINK_SKIP)
+endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/presets DESTINATION ${CMAKE_INSTALL_DATADIR}/insonify COMPONENT library)
 
 set(config_folder ${CMAKE_INSTALL_LIBDIR}/cmake/insonify)

@@ -11,7 +11,7 @@
 #include "io/mesh/mesh_file.h"
 #include "io/mesh/relief_file.h"
 #include "io/stonefish/stonefish_scene.h"
-#include "io/world/sdf_scene.h"
+#include "io/world/sdf_reader.h"
 
 namespace insonify {
 namespace {
@@ -38,7 +38,7 @@ Scene load_scene(const std::filesystem::path& path, const WorldOptions& options,
   static const std::set<std::string> kMeshesToConvert = {".osgb", ".osg", ".osgt", ".ive"};
   const std::string ending = ending_of(path);
   if (kSdf.contains(ending)) {
-    return load_sdf_scene(path, options, log);
+    return sdf_reader(path).load_scene(path, options, log);
   }
   if (ending == ".scn") {
     return load_stonefish_scene(path, options, log);

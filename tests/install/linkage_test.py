@@ -19,7 +19,7 @@ def readelf(option, file):
 def search_path_faults(dynamic):
     for kind, path in re.findall(r"\((RPATH|RUNPATH)\).*\[(.*)\]", dynamic):
         for element in path.split(":"):
-            if not element.startswith(("/", "$ORIGIN/")):
+            if element != "$ORIGIN" and not element.startswith(("/", "$ORIGIN/")):
                 yield f"{kind} [{path}] has the element '{element}'"
 
 

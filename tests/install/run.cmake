@@ -31,7 +31,7 @@ if(SOURCE_DIR)
   # Takes the same object files: to compile everything once more would take minutes.
   set(ENV{CMAKE_CXX_COMPILER_LAUNCHER} "${CMAKE_CURRENT_LIST_DIR}/take_object.sh;${BUILD_DIR}")
   set(BUILD_DIR ${WORK_DIR}/static)
-  file(REMOVE_RECURSE ${BUILD_DIR}/CMakeFiles/insonify.dir)  # Objects taken know nothing of headers that have changed.
+  file(REMOVE_RECURSE ${BUILD_DIR}/CMakeFiles/insonify.dir ${BUILD_DIR}/CMakeFiles/insonify_sdf_objects.dir)  # Objects taken know nothing of headers that have changed.
   run(${CMAKE_COMMAND} -G Ninja -S ${SOURCE_DIR} -B ${BUILD_DIR} -DCMAKE_BUILD_TYPE=Release
       -DCMAKE_CXX_COMPILER=${COMPILER} -DBUILD_SHARED_LIBS=OFF -DCMAKE_UNITY_BUILD=${UNITY}
       -DINSONIFY_BUILD_TESTS=OFF -DINSONIFY_BUILD_APPS=OFF)
@@ -106,7 +106,7 @@ if(EXISTS ${prefix}/bin/insonify)
     endif()
   endforeach()
 
-  file(GLOB libraries ${prefix}/lib*/libinsonify.so.*.*.* ${prefix}/lib/*/libinsonify.so.*.*.*)
+  file(GLOB libraries ${prefix}/lib*/libinsonify*.so.*.*.* ${prefix}/lib/*/libinsonify*.so.*.*.*)
   if(HARDENED)
     set(hardened --hardened)
   endif()

@@ -18,7 +18,7 @@
 #include "insonify/world_parts.h"
 #include "io/file/input_file.h"
 #include "io/scenario/world_sonars.h"
-#include "io/world/sdf_sonars.h"
+#include "io/world/sdf_reader.h"
 
 namespace insonify {
 namespace {
@@ -124,7 +124,7 @@ bool add_sdf_sonars(YamlValue& scenario, const fs::path& path, std::span<const s
     return false;
   }
   const fs::path file = (is_stream(path) ? fs::path() : path.parent_path()) / world;
-  const std::vector<SdfSonar> found = load_sdf_sonars(file, {});
+  const std::vector<SdfSonar> found = sdf_reader(file).load_sonars(file, {});
   if (found.empty() && is_sdf_file(path)) {
     throw Error(
         fmt::format("{}: is an SDF world, not a scenario; write a YAML file that says world: {} and lists "
@@ -157,7 +157,7 @@ std::vector<SonarCarrier> load_sonar_carriers(const Scenario& scenario) {
   if (!is_sdf_file(scenario.world)) {
     return carriers;
   }
-  const std::vector<SdfSonar> found = load_sdf_sonars(scenario.world, {});
+  const std::vector<SdfSonar> found = sdf_reader(scenario.world).load_sonars(scenario.world, {});
   for (const SdfSonar& sonar : found) {
     const std::string name = sonar.name.empty() ? SonarConfig().name : sonar.name;
     if (std::ranges::find(scenario.sonars, name, &SonarConfig::name) != scenario.sonars.end()) {

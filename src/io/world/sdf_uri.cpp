@@ -89,7 +89,7 @@ std::optional<fs::path> find_sdf_uri(const std::string& text, const fs::path& ba
   return first;
 }
 
-std::string sdf_uri_not_found(const std::string& text) {
+std::string sdf_uri_not_found(const std::string& text, const fs::path& base) {
   if (is_fuel_uri(text)) {
     return fuel_uri_not_found();
   }
@@ -102,6 +102,10 @@ std::string sdf_uri_not_found(const std::string& text) {
   }
   if (!names_model(uri) && fs::path(uri.path).is_absolute()) {
     return "does not exist";
+  }
+  if (std::error_code ignored; fs::path(uri.path).parent_path() == "meshes" &&
+                               fs::exists(base.parent_path() / "make" / "CMakeLists.txt", ignored)) {
+    return "not made yet; this makes it: cmake --build build/release --target scene_meshes";
   }
   std::string lists;
   for (const char* variable : kPathLists) {

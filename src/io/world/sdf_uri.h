@@ -23,7 +23,8 @@ namespace insonify {
     const std::string& uri, const std::filesystem::path& base,
     const std::function<bool(const std::filesystem::path&)>& accepts = {});
 
-/// The reason why find_sdf_uri found nothing, as the end of a message: "not found beside this file, ...".
-[[nodiscard]] std::string sdf_uri_not_found(const std::string& uri);
+/// The reason why find_sdf_uri found nothing, as the end of a message: "not found beside this file, ...". For meshes of
+/// the shipped scenes, which are not made by the default build, it names the command that makes them.
+[[nodiscard]] std::string sdf_uri_not_found(const std::string& uri, const std::filesystem::path& base);
 
 }  // namespace insonify

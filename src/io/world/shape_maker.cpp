@@ -72,7 +72,7 @@ std::string file_of(const std::string& uri, const fs::path& base, const std::str
   if (!found) {
     throw UnreadableShape(
         fmt::format("{}: '{}'", what, printable(uri, is_fuel_uri(uri) ? kLongestName : kLongestQuote)),
-        " " + sdf_uri_not_found(uri), is_fuel_uri(uri) ? fuel_model_uri(uri) : "");
+        " " + sdf_uri_not_found(uri, base), is_fuel_uri(uri) ? fuel_model_uri(uri) : "");
   }
   return found->string();
 }

@@ -1,6 +1,6 @@
 // sdf_console_test.cpp -- libsdformat errors are captured for one thread and printed for the others.
 
-#include "io/world/sdf_console.h"
+#include "io/sdf/sdf_console.h"
 
 #include <gmock/gmock.h>
 

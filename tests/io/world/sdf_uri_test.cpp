@@ -61,13 +61,20 @@ TEST_F(SdfUriTest, SearchesThePathListsInOrder) {
 
 TEST_F(SdfUriTest, SaysWhyNothingWasFound) {
   EXPECT_EQ(find("https://fuel.gazebosim.org/ship", "world.sdf"), "nothing");
-  EXPECT_EQ(sdf_uri_not_found("https://fuel.gazebosim.org/ship"),
+  EXPECT_EQ(sdf_uri_not_found("https://fuel.gazebosim.org/ship", folder / "world.sdf"),
             "is not on this machine: fetch it and name its folder");
-  EXPECT_EQ(sdf_uri_not_found("model://"), "names nothing");
-  EXPECT_EQ(sdf_uri_not_found("/no/such/file"), "does not exist");
-  EXPECT_EQ(sdf_uri_not_found("model://ship"),
+  EXPECT_EQ(sdf_uri_not_found("model://", folder / "world.sdf"), "names nothing");
+  EXPECT_EQ(sdf_uri_not_found("/no/such/file", folder / "world.sdf"), "does not exist");
+  EXPECT_EQ(sdf_uri_not_found("model://ship", folder / "world.sdf"),
             "not found beside this file, in the folders above it or in those of INSONIFY_MODEL_PATH, SDF_PATH, "
             "GZ_SIM_RESOURCE_PATH, IGN_GAZEBO_RESOURCE_PATH, GAZEBO_MODEL_PATH, GAZEBO_RESOURCE_PATH");
+}
+
+TEST_F(SdfUriTest, NamesTheCommandThatMakesTheMeshesOfTheShippedScenes) {
+  write("make/CMakeLists.txt", "");
+  EXPECT_EQ(sdf_uri_not_found("meshes/ferry.obj", folder / "world.sdf"),
+            "not made yet; this makes it: cmake --build build/release --target scene_meshes");
+  EXPECT_THAT(sdf_uri_not_found("ferry.obj", folder / "world.sdf"), testing::StartsWith("not found beside this file"));
 }
 
 }  // namespace

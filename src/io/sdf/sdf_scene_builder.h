@@ -16,8 +16,8 @@
 #include "insonify/scene.h"
 #include "io/file/missing_parts.h"
 #include "io/file/name_patterns.h"
-#include "io/world/sdf_shape.h"
-#include "io/world/sdf_source.h"
+#include "io/sdf/sdf_shape.h"
+#include "io/sdf/sdf_source.h"
 
 namespace insonify {
 

@@ -1,6 +1,6 @@
 // sdf_root.cpp -- turns libsdformat's list of errors into one message about the cause.
 
-#include "io/world/sdf_root.h"
+#include "io/sdf/sdf_root.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include "base/log_line.h"
 #include "insonify/error.h"
 #include "io/file/input_file.h"
-#include "io/world/sdf_console.h"
+#include "io/sdf/sdf_console.h"
 
 namespace insonify {
 namespace {

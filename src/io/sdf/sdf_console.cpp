@@ -1,6 +1,6 @@
 // sdf_console.cpp -- a stream buffer that captures one thread's output and forwards that of others.
 
-#include "io/world/sdf_console.h"
+#include "io/sdf/sdf_console.h"
 
 #include <algorithm>
 #include <iostream>

@@ -1,6 +1,6 @@
 // sdf_file.cpp -- reads a file by libsdformat, without its joints if need be.
 
-#include "io/world/sdf_file.h"
+#include "io/sdf/sdf_file.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 
 #include "base/log_line.h"
 #include "insonify/error.h"
-#include "io/world/sdf_root.h"
+#include "io/sdf/sdf_root.h"
 
 namespace insonify {
 namespace {

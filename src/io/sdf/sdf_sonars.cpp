@@ -1,6 +1,6 @@
 // sdf_sonars.cpp -- looks for sonars in models and links.
 
-#include "io/world/sdf_sonars.h"
+#include "io/sdf/sdf_sonars.h"
 
 #include <fmt/format.h>
 
@@ -15,8 +15,8 @@
 #include "insonify/printable.h"
 #include "io/file/input_file.h"
 #include "io/file/xml_file.h"
-#include "io/world/sdf_file.h"
-#include "io/world/sdf_poses.h"
+#include "io/sdf/sdf_file.h"
+#include "io/sdf/sdf_poses.h"
 
 namespace insonify {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "insonify/geometry.h"
-#include "io/world/sdf_math.h"
+#include "io/sdf/sdf_math.h"
 
 namespace insonify {
 

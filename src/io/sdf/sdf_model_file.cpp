@@ -1,11 +1,11 @@
 // sdf_model_file.cpp -- reads model.config by way of libsdformat.
 
-#include "io/world/sdf_model_file.h"
+#include "io/sdf/sdf_model_file.h"
 
 #include <exception>
 #include <sdf/parser.hh>
 
-#include "io/world/sdf_console.h"
+#include "io/sdf/sdf_console.h"
 
 namespace insonify {
 namespace {

@@ -1,6 +1,6 @@
 // sdf_shape.cpp -- reads the shapes of SDF geometries.
 
-#include "io/world/sdf_shape.h"
+#include "io/sdf/sdf_shape.h"
 
 #include <fmt/format.h>
 

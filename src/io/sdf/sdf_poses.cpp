@@ -1,6 +1,6 @@
 // sdf_poses.cpp -- reads the poses of a saved world.
 
-#include "io/world/sdf_poses.h"
+#include "io/sdf/sdf_poses.h"
 
 namespace insonify {
 

@@ -9,7 +9,7 @@
 
 #include "insonify/log.h"
 #include "io/file/missing_parts.h"
-#include "io/world/sdf_source.h"
+#include "io/sdf/sdf_source.h"
 
 namespace insonify {
 

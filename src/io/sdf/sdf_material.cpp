@@ -1,6 +1,6 @@
 // sdf_material.cpp -- reads insonify's elements in SDF, which libsdformat passes on unchanged.
 
-#include "io/world/sdf_material.h"
+#include "io/sdf/sdf_material.h"
 
 #include <fmt/format.h>
 

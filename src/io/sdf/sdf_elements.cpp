@@ -1,6 +1,6 @@
 // sdf_elements.cpp -- selects the SDF elements that matter to a scene, and changes those that libsdformat would refuse.
 
-#include "io/world/sdf_elements.h"
+#include "io/sdf/sdf_elements.h"
 
 #include <algorithm>
 #include <cctype>

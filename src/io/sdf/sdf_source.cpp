@@ -1,6 +1,6 @@
 // sdf_source.cpp -- resolves includes and writes copies of SDF files with absolute paths.
 
-#include "io/world/sdf_source.h"
+#include "io/sdf/sdf_source.h"
 
 #include <fmt/format.h>
 #include <stdlib.h>
@@ -13,12 +13,12 @@
 #include "insonify/error.h"
 #include "insonify/printable.h"
 #include "io/file/input_file.h"
-#include "io/world/sdf_check.h"
-#include "io/world/sdf_elements.h"
+#include "io/sdf/sdf_check.h"
+#include "io/sdf/sdf_elements.h"
+#include "io/sdf/sdf_model_file.h"
+#include "io/sdf/sdf_version.h"
 #include "io/world/sdf_fuel.h"
-#include "io/world/sdf_model_file.h"
 #include "io/world/sdf_uri.h"
-#include "io/world/sdf_version.h"
 
 namespace insonify {
 namespace {
@@ -136,9 +136,9 @@ std::optional<std::string> SdfSource::resolve_include(const std::string& uri, co
       find_sdf_uri(uri, file, [](const fs::path& path) { return sdf_file_of_model(path).has_value(); });
   if (!found) {
     if (is_fuel_uri(uri)) {
-      missing_.add_fuel(where, " " + sdf_uri_not_found(uri), fuel_model_uri(uri));
+      missing_.add_fuel(where, " " + sdf_uri_not_found(uri, file), fuel_model_uri(uri));
     } else {
-      missing_.add(where, " " + sdf_uri_not_found(uri));
+      missing_.add(where, " " + sdf_uri_not_found(uri, file));
     }
     return std::nullopt;
   }

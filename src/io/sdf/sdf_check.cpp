@@ -1,6 +1,6 @@
 // sdf_check.cpp -- checks the numbers, links and names of SDF elements.
 
-#include "io/world/sdf_check.h"
+#include "io/sdf/sdf_check.h"
 
 #include <fmt/format.h>
 

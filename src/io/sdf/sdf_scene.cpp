@@ -1,9 +1,9 @@
 // sdf_scene.cpp -- reads a world and makes a scene of it.
 
-#include "io/world/sdf_scene.h"
+#include "io/sdf/sdf_scene.h"
 
-#include "io/world/sdf_file.h"
-#include "io/world/sdf_scene_builder.h"
+#include "io/sdf/sdf_file.h"
+#include "io/sdf/sdf_scene_builder.h"
 
 namespace insonify {
 

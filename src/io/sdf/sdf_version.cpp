@@ -1,6 +1,6 @@
 // sdf_version.cpp -- reads the version of an SDF file.
 
-#include "io/world/sdf_version.h"
+#include "io/sdf/sdf_version.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // sdf_scene_builder.cpp -- adds models, links, visuals and collisions with their poses and materials.
 
-#include "io/world/sdf_scene_builder.h"
+#include "io/sdf/sdf_scene_builder.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,8 +11,8 @@
 #include "insonify/error.h"
 #include "insonify/printable.h"
 #include "io/file/input_file.h"
-#include "io/world/sdf_material.h"
-#include "io/world/sdf_poses.h"
+#include "io/sdf/sdf_material.h"
+#include "io/sdf/sdf_poses.h"
 
 namespace insonify {
 namespace {

@@ -5,7 +5,7 @@
 #include <sdf/Root.hh>
 
 #include "insonify/log.h"
-#include "io/world/sdf_source.h"
+#include "io/sdf/sdf_source.h"
 
 namespace insonify {
 

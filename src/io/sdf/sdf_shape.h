@@ -8,7 +8,7 @@
 
 #include "insonify/log.h"
 #include "insonify/world_parts.h"
-#include "io/world/sdf_source.h"
+#include "io/sdf/sdf_source.h"
 #include "io/world/shape_maker.h"
 
 namespace insonify {
