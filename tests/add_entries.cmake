@@ -1,8 +1,9 @@
-# Read by ctest as it starts, once for each test program: insonify_add_entries(PROGRAM TIMEOUT [EMULATOR...]) makes one entry for
-# each test case, run by the emulator if there is one. With INSONIFY_ENTRIES=suites in the environment, as `./dev test` has it
-# where it runs all of them, each suite is one entry: a process takes 0.1 s to start, as much as most cases.
+# Read by ctest as it starts, once for each test program: insonify_add_entries(PROGRAM TIMEOUT TIER [EMULATOR...]) makes one
+# entry for each test case, labelled with its tier (quick or full) and run by the emulator if there is one. With
+# INSONIFY_ENTRIES=suites in the environment, as `./dev test` has it where it runs all of them, each suite is one entry: a
+# process takes 0.1 s to start, as much as most cases.
 cmake_policy(VERSION 3.24)
-function(insonify_add_entries program timeout)
+function(insonify_add_entries program timeout tier)
   if(NOT EXISTS ${program})
     add_test(${program}_NOT_BUILT ${program})
     return()
@@ -32,6 +33,6 @@ function(insonify_add_entries program timeout)
   endif()
   foreach(name filter IN ZIP_LISTS names filters)
     add_test(${name} ${ARGN} ${program} --gtest_filter=${filter})
-    set_tests_properties(${name} PROPERTIES TIMEOUT ${timeout} SKIP_RETURN_CODE 77)
+    set_tests_properties(${name} PROPERTIES TIMEOUT ${timeout} LABELS ${tier} SKIP_RETURN_CODE 77)
   endforeach()
 endfunction()

@@ -26,7 +26,7 @@ inline std::string bytes_of(const std::filesystem::path& path) {
 /// Vertices, triangles and material names as in the file; no normals.
 inline Mesh read_obj(const std::filesystem::path& path) {
   std::ifstream file(path);
-  EXPECT_TRUE(file) << path << " is made by the build target scene_meshes";
+  EXPECT_TRUE(file) << path << " is made by the target scene_meshes";
   Mesh mesh;
   mesh.name = path.stem().string();
   mesh.material_names.clear();
