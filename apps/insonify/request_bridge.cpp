@@ -6,7 +6,7 @@
 namespace insonify {
 
 void add_bridge(CLI::App& app, Request& request) {
-  CLI::App* command = app.add_subcommand("bridge", "Bring pings to another framework while it runs");
+  CLI::App* command = app.add_subcommand("bridge", "Publish pings live to ROS 1, ROS 2 or Gazebo");
   command->require_subcommand(1);
   command->footer("Help on one: insonify bridge ros1 --help");
   for (const BridgeKind& kind : bridge_kinds()) {

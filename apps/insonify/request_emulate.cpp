@@ -14,18 +14,18 @@ void add_common(CLI::App& command, EmulateOptions& options, int port) {
   command.add_option("--sonar", options.sonar, "Sonar of the scenario, by its name; the first of the right type")
       ->check(not_empty("a sonar's name"))
       ->type_name("NAME");
-  command.add_option("--port", options.port, fmt::format("Port; 0 for any that is free [{}]", port))
+  command.add_option("--port", options.port, fmt::format("Port; 0: any free port [{}]", port))
       ->check(whole_number(0, 65535))
       ->type_name("N");
   command.add_option("--address", options.address, "Address to listen on [127.0.0.1]")->type_name("IP");
-  command.add_option("--threads", options.threads, "Worker threads; 0 for as many as there are processors [0]")
+  command.add_option("--threads", options.threads, "Worker threads; 0: one per processor [0]")
       ->check(whole_number(0, 1024))
       ->type_name("N");
   command.add_option("--set", options.settings, "Change a key of the scenario, such as min_range=0.5; may be repeated")
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->take_all();
-  command.add_flag("-q,--quiet", options.quiet, "Say nothing but addresses, warnings and errors");
+  command.add_flag("-q,--quiet", options.quiet, "Print only addresses, warnings and errors");
 }
 
 void add_oculus(CLI::App& emulate, Request& request) {
@@ -47,7 +47,7 @@ void add_oculus(CLI::App& emulate, Request& request) {
 }  // namespace
 
 void add_emulate(CLI::App& app, Request& request) {
-  CLI::App* command = app.add_subcommand("emulate", "Be an instrument to other programs, in its own protocol");
+  CLI::App* command = app.add_subcommand("emulate", "Emulate an instrument for its own drivers");
   command->require_subcommand(1);
   command->footer("Help on one: insonify emulate ping360 --help");
 

@@ -9,7 +9,7 @@ void add_export(CLI::App& app, Request& request) {
   CLI::App* command = app.add_subcommand("export", "Write recordings in a format that other tools read");
   ExportCommand& options = request.exported;
   command->add_option("RECORDING", options.recordings, "Recordings (.h5, .mcap) of one run")->required();
-  command->add_option("-o,--output", options.file, "File to write, whose ending says the format")
+  command->add_option("-o,--output", options.file, "File to write; its extension is the format")
       ->required()
       ->check(not_empty("a file, such as run.mcap"))
       ->type_name("FILE");
@@ -24,7 +24,7 @@ void add_export(CLI::App& app, Request& request) {
   command->add_flag("--store", options.store, "Do not compress .npz");
   auto* rate = command
                    ->add_option("--rate", request.rate,
-                                "Pictures a second of a video [as fast as the pings were made, at most 50]")
+                                "Frames per second of a video [as fast as the pings were made, at most 50]")
                    ->check(number_within(above_to(0, 120)))
                    ->type_name("N");
   const std::string pictures = "Pictures";
@@ -33,7 +33,7 @@ void add_export(CLI::App& app, Request& request) {
     command->remove_option(command->get_option(name));
   }
   command->footer(
-      "Formats, by the ending of FILE:\n"
+      "Formats, by the extension of FILE:\n"
       "  .mcap         ROS 2 messages of all sonars, for Foxglove and ros2 bag\n"
       "  .bag          ROS 1 messages of all sonars, for rosbag\n"
       "  .npz          NumPy arrays: numpy.load(FILE)[\"intensity\"]\n"

@@ -59,7 +59,7 @@ void add_replay(CLI::App& app, Request& request) {
     command->add_flag("--paused", options.paused, "Wait at the first ping")->group(group);
     command
         ->add_option("--folder", options.run.folder,
-                     "Folder of the scenario that was run, for the scene [looked for beside the recording]")
+                     "Folder of the scenario that was run, for the scene [searched beside the recording]")
         ->check(CLI::Validator(CLI::ExistingDirectory).description(""))
         ->type_name("DIR")
         ->group(group);

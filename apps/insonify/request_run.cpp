@@ -29,11 +29,10 @@ void add_run(CLI::App& app, Request& request) {
   auto* pings = command->add_option("--pings", request.pings, "Pings of each sonar")
                     ->check(whole_number(1, 1'000'000'000))
                     ->type_name("N");
-  auto* duration =
-      command->add_option("--duration", request.duration, "Instead: ping from time 0 until before then [s]")
-          ->check(number_within(above_to(0, 1e9)))
-          ->excludes(pings)
-          ->type_name("S");
+  auto* duration = command->add_option("--duration", request.duration, "Instead: ping from time 0 until this time [s]")
+                       ->check(number_within(above_to(0, 1e9)))
+                       ->excludes(pings)
+                       ->type_name("S");
   auto* turns =
       command
           ->add_option("--turns", request.turns, "Instead: full turns of a scanning head, or sweeps across its sector")
@@ -41,14 +40,15 @@ void add_run(CLI::App& app, Request& request) {
           ->excludes(pings)
           ->excludes(duration)
           ->type_name("N");
-  auto* engine = command->add_option("--engine", request.engine, "What computes the echoes: cpu, or reference (slow)")
-                     ->check(one_of(engines()))
-                     ->type_name("NAME");
+  auto* engine =
+      command->add_option("--engine", request.engine, "Engine that computes the echoes: cpu, or reference (slow)")
+          ->check(one_of(engines()))
+          ->type_name("NAME");
   auto* seed = command->add_option("--seed", request.seed, "Start of the random numbers")
                    ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
                    ->type_name("N");
-  command->add_flag("--strict", request.strict, "End with an error where a part of the world is missing");
-  command->add_option("--threads", options.threads, "Worker threads; 0 for as many as there are processors [0]")
+  command->add_flag("--strict", request.strict, "End with an error if a part of the world is missing");
+  command->add_option("--threads", options.threads, "Worker threads; 0: one per processor [0]")
       ->check(whole_number(0, 1024))
       ->type_name("N");
   command->add_option("--set", options.settings, "Change a key of the scenario, such as max_range=20; may be repeated")
@@ -60,7 +60,7 @@ void add_run(CLI::App& app, Request& request) {
       ->type_name("KIND");
   add_message_choice(*command, options.messages, "in mcap recordings", "[1970]");
   command->add_flag("--compress", options.compress,
-                    "Compress h5 recordings by HDF5's own filters: less than half the size, some time a ping");
+                    "Compress h5 recordings by HDF5's own filters: less than half the size, some time per ping");
   command->add_flag("-f,--force", options.force, "Replace recordings and pictures of an earlier run");
   command->add_flag("-q,--quiet", options.quiet, "Print only warnings and errors");
 
@@ -74,9 +74,7 @@ void add_run(CLI::App& app, Request& request) {
           "--view", [](std::int64_t) {}, "Draw the scene as a camera sees it: the default")
       ->group(pictures);
   command->add_flag("--no-view", request.no_view, "Do not draw the scene")->group(pictures);
-  command
-      ->add_flag("--channels", options.channels,
-                 "Also draw what the fan is made of: distance and intensity by direction, at the first ping")
+  command->add_flag("--channels", options.channels, "Also draw distance and intensity by direction, at the first ping")
       ->group(pictures);
   add_picture_options(*command, options.pictures, pictures);
   add_counts_option(*command, options.pictures, pictures);
@@ -90,7 +88,7 @@ void add_run(CLI::App& app, Request& request) {
       "  DIR/NAME_scan.png        the same at the end; NAME_polar.png its waterfall\n"
       "  DIR/NAME_view.png        the scene, with the sonar and its field\n"
       "  DIR/NAME_channels.png    distance and intensity by direction, with --channels\n"
-      "What an earlier run left under these names is replaced only with --force, once the new run has ended.\n\n"
+      "Files of an earlier run are replaced only with --force, once the new run has ended.\n\n"
       "Keys of --set: pings, water.depth, sonars[0].max_range, sonars.NAME.max_range, or max_range for every sonar;\n"
       "insonify describe lists them all.\n\n"
       "Examples:\n"

@@ -7,7 +7,7 @@
 namespace insonify {
 
 void add_server_options(CLI::App& command, PageServerOptions& options, const std::string& group) {
-  command.add_option("--port", options.port, "Port; 0 for any that is free [8765]")
+  command.add_option("--port", options.port, "Port; 0: any free port [8765]")
       ->check(whole_number(0, 65535))
       ->type_name("N")
       ->group(group);
@@ -24,7 +24,7 @@ void add_server_options(CLI::App& command, PageServerOptions& options, const std
       ->expected(1)
       ->take_all()
       ->group(group);
-  command.add_flag("-q,--quiet", options.quiet, "Say nothing but the address, warnings and errors")->group(group);
+  command.add_flag("-q,--quiet", options.quiet, "Print only the address, warnings and errors")->group(group);
   command.add_option("--page", options.page, "Serve the page from this folder")->type_name("DIR")->group("");
 }
 
@@ -40,18 +40,18 @@ void add_serve(CLI::App& app, Request& request) {
                    "Levels of the darkest and the brightest value in .mcap and for Foxglove, such as -90:-40 [dB]")
       ->check(levels())
       ->type_name("LOW:HIGH");
-  command->add_flag("-f,--force", options.force, "Replace what an earlier recording left under the names of --record");
-  command->add_option("--rate", options.rate, "Limit of pings per second of each sonar; time passes more slowly then")
+  command->add_flag("-f,--force", options.force, "Replace earlier recordings of the same names");
+  command->add_option("--rate", options.rate, "Limit of pings per second of each sonar; time slows down accordingly")
       ->check(number_within(above_to(0, 1e6)))
       ->type_name("N");
-  command->add_option("--threads", options.threads, "Worker threads; 0 for as many as there are processors [0]")
+  command->add_option("--threads", options.threads, "Worker threads; 0: one per processor [0]")
       ->check(whole_number(0, 1024))
       ->type_name("N");
   command->add_option("--set", options.settings, "Change a key of the scenario, such as max_range=20; may be repeated")
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->take_all();
-  command->add_flag("--strict", request.strict, "End with an error where a part of the world is missing");
+  command->add_flag("--strict", request.strict, "End with an error if a part of the world is missing");
   command->add_flag("--paused", options.paused, "Start paused");
   command->footer(
       "Prints the address of a page that shows the sonar's picture and steers the vehicle. Foxglove connects to the\n"

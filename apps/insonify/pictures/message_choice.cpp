@@ -40,9 +40,8 @@ void add_message_choice(CLI::App& command, MessageChoice& choice, const std::str
                         const std::string& default_start) {
   command
       .add_option("--fan-rate", choice.fan_rate,
-                  "Fan pictures " + where +
-                      " for a second of the pings' times, at most; 0 for none [2 for a scanning " +
-                      "sonar, else one of every ping]")
+                  "Fan pictures " + where + " per second of ping time, at most; 0: none [2 for a scanning " +
+                      "sonar, else one per ping]")
       ->check(number_within(from_to(0, 1000)))
       ->type_name("N");
   command

@@ -28,7 +28,7 @@ void add_picture_options(CLI::App& command, PictureOptions& options, const std::
                            ->group(group);
   command
       .add_option("--levels", options.levels,
-                  "Colour range in decibels as on the colour bar, such as -90:-40 [what fits the pings]")
+                  "Colour range in decibels as on the colour bar, such as -90:-40 [fitted to the pings]")
       ->check(levels())
       ->type_name("LOW:HIGH")
       ->excludes(floor)

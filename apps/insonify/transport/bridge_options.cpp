@@ -36,7 +36,7 @@ void add_bridge_options(CLI::App& command, const BridgeKind& kind, BridgeRequest
       .add_option("--rate", options.live.rate_limit, "Limit of pings per second of each sonar [the sonar's own rate]")
       ->check(number_within(above_to(0, 1000)))
       ->type_name("HZ");
-  command.add_option("--threads", options.live.threads, "Worker threads; 0 for as many as there are processors [0]")
+  command.add_option("--threads", options.live.threads, "Worker threads; 0: one per processor [0]")
       ->check(whole_number(0, 1024))
       ->type_name("N");
   command.add_flag("-q,--quiet", options.quiet, "Print only warnings and errors");

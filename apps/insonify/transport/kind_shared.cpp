@@ -12,13 +12,13 @@ namespace insonify {
 void add_odometry_option(CLI::App& command, BridgeRequest& request) {
   command
       .add_option("--odometry", request.odometry,
-                  "Topic of nav_msgs/Odometry that sets the vehicle's pose [on the trajectory]")
+                  "Topic of nav_msgs/Odometry that sets the vehicle's pose [the trajectory]")
       ->check(not_empty("a topic, such as /odom"))
       ->type_name("TOPIC");
 }
 
 void add_tf_option(CLI::App& command, BridgeRequest& request) {
-  command.add_option("--tf", request.tf, "Frame of the vehicle, whose pose is looked up in tf [on the trajectory]")
+  command.add_option("--tf", request.tf, "Frame of the vehicle, whose pose is looked up in tf [the trajectory]")
       ->check(not_empty("a frame, such as base_link"))
       ->excludes("--odometry")
       ->type_name("FRAME");
