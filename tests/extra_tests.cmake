@@ -12,6 +12,11 @@ add_test(NAME function_lengths
 add_test(NAME function_lengths_counted
   COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_functions_test.py)
 
+# The formulas of echoes are GLSL too.
+add_test(NAME laws_in_shaders
+  COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/echo/laws_in_shaders_test.py ${PROJECT_SOURCE_DIR})
+set_tests_properties(laws_in_shaders PROPERTIES SKIP_RETURN_CODE 77)
+
 # Each public header can be included first.
 add_test(NAME headers_stand_alone
   COMMAND Python3::Interpreter tools/check_headers.py ${CMAKE_CURRENT_BINARY_DIR}/headers ${CMAKE_CXX_COMPILER} -std=c++20 -Wall

@@ -21,14 +21,15 @@ EDGE = {"io": CHAIN, "view": CHAIN, "live": [*CHAIN, "io"], "wire": CHAIN, "simi
 # module's own folder.
 ROOMS = {
     "echo": {
-        "grid": [],
-        "model": ["grid"],
-        "rays": ["grid", "model"],
-        "mirror": ["grid", "model"],
-        "batch": ["grid", "model", "."],
-        "targets": ["grid", "model", "mirror", "batch", "."],
-        "walks": ["grid", "model", "batch"],
-        "*": ["grid", "model", "rays", "mirror", "batch", "."],  # Engines, each a room.
+        "laws": [],
+        "grid": ["laws"],
+        "model": ["laws", "grid"],
+        "rays": ["laws", "grid", "model"],
+        "mirror": ["laws", "grid", "model"],
+        "batch": ["laws", "grid", "model", "."],
+        "targets": ["laws", "grid", "model", "mirror", "batch", "."],
+        "walks": ["laws", "grid", "model", "batch"],
+        "*": ["laws", "grid", "model", "rays", "mirror", "batch", "."],  # Engines, each a room.
     },
     "receiver": {
         "array": ["."],

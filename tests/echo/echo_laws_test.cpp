@@ -1,7 +1,5 @@
-// echo_laws_test.cpp -- the vector loops of the engines against the definitions in echo_laws.h, over all materials and
-// angles; the definitions themselves against values worked out by hand.
-
-#include "echo/model/echo_laws.h"
+// echo_laws_test.cpp -- the laws of echoes against values worked out by hand, and the vector loops of the engines
+// against the same laws in double precision, over all materials and angles.
 
 #include <gtest/gtest.h>
 
@@ -11,6 +9,7 @@
 #include "echo/mirror/mirror_paths.h"
 #include "echo/mirror/secondary_echo.h"
 #include "echo/model/hit_column.h"
+#include "echo/reference/precise_echoes.h"
 #include "insonify/acoustics/backscatter.h"
 #include "insonify/acoustics/surface_scattering.h"
 #include "insonify/sea_surface.h"
@@ -64,13 +63,40 @@ std::vector<float> all_cosines() {
   return cosines;
 }
 
+// The arguments of mirror_intensities(), with usual values.
+struct Path {
+  Scattering mirror, second;
+  double incidence = 1;  // Cosine of incidence on the mirror.
+  double mirror_texture = 1, second_texture = 1;
+  double share = 1, there = 0, back = 0, spread = 1, returned = 1;
+  double in = 1, out = 1, half = 1;  // SecondAngles
+  std::optional<double> glint = {};  // FacetReturn; `in` without facets.
+  double variance = 0, coherence = 1;
+  double facet = 1;  // SecondAngles
+};
+
+precise::MirrorIntensities intensities_of(const Path& path, double neper_per_metre) {
+  const precise::SecondAngles at = {path.in, path.out, path.half, path.facet};
+  return precise::mirror_intensities(
+      {.reflectance = precise::mirrored_by(path.mirror, path.incidence) * path.mirror_texture * path.mirror_texture,
+       .share = path.share,
+       .there = path.there,
+       .back = path.back,
+       .spread = path.spread,
+       .returned = path.returned,
+       .at = at,
+       .texture = path.second_texture,
+       .over = {path.glint.value_or(path.in), path.variance, path.coherence}},
+      precise::second_surface_of(path.second, at, path.mirror.rms_slope), neper_per_metre);
+}
+
 // At normal incidence with mu = 0.01, |R| = 0.5, s = 0.1: s_b = 0.01 + 0.25 / (8 pi 0.01) = 1.004718. At 10 m with
 // gamma = 0.02 Np/m: x e^-0.8 / 100 = 0.00451450; texture 0.5 leaves a quarter.
 TEST(EchoLawsTest, PrimaryIntensityAtNormalIncidence) {
   const Scattering surface{.lambert = 0.01, .reflection = 0.5, .rms_slope = 0.1};
-  EXPECT_NEAR(primary_intensity(surface, 1, 1, 0.02, 10), 0.0045145, 1e-7);
-  EXPECT_NEAR(primary_intensity(surface, -1, 0.5, 0.02, 10), 0.0045145 / 4, 1e-7);
-  EXPECT_EQ(primary_intensity(surface, 0, 1, 0.02, 10), 0);
+  EXPECT_NEAR(precise::primary_intensity_of(surface, 1, 1, 0.02, 10), 0.0045145, 1e-7);
+  EXPECT_NEAR(precise::primary_intensity_of(surface, -1, 0.5, 0.02, 10), 0.0045145 / 4, 1e-7);
+  EXPECT_EQ(precise::primary_intensity_of(surface, 0, 1, 0.02, 10), 0);
 }
 
 // Two planes in a right-angled corner, both hit at 45 degrees, the path back along the path out: the half vector is the
@@ -78,25 +104,25 @@ TEST(EchoLawsTest, PrimaryIntensityAtNormalIncidence) {
 // the second surface: once = 0.81 x 0.1 x cos 45 / 5^2.
 TEST(EchoLawsTest, LambertEchoByAMirror) {
   const double cosine = std::sqrt(0.5);
-  const MirrorPath path{.mirror = {.lambert = 0, .reflection = 0.9, .rms_slope = 0.1},
-                        .second = {.lambert = 0.1, .reflection = 0, .rms_slope = 0.1},
-                        .there = 10,
-                        .back = 5,
-                        .in = cosine,
-                        .out = cosine};
-  const MirrorIntensities intensities = mirror_intensities(path, 0);
+  const Path path{.mirror = {.lambert = 0, .reflection = 0.9, .rms_slope = 0.1},
+                  .second = {.lambert = 0.1, .reflection = 0, .rms_slope = 0.1},
+                  .there = 10,
+                  .back = 5,
+                  .in = cosine,
+                  .out = cosine};
+  const precise::MirrorIntensities intensities = intensities_of(path, 0);
   EXPECT_NEAR(intensities.once, 0.81 * 0.1 * cosine / 25, 1e-15);
   EXPECT_NEAR(intensities.twice, 0.81 * 0.81 * 0.1 * cosine / 100, 1e-15);
-  MirrorPath other_side = path;
+  Path other_side = path;
   other_side.out = -cosine;
-  EXPECT_EQ(mirror_intensities(other_side, 0).once, 0);
+  EXPECT_EQ(intensities_of(other_side, 0).once, 0);
 }
 
 TEST(EchoLawsTest, LobeOfAReciprocalPathCountsOnceInAll) {
   const Scattering smooth{.lambert = 0, .reflection = 0.9, .rms_slope = 0.05};
   const Scattering rough{.lambert = 0, .reflection = 0.9, .rms_slope = 0.2};
   const auto once = [](const Scattering& mirror, const Scattering& second) {
-    return mirror_intensities({.mirror = mirror, .second = second, .there = 10, .back = 5}, 0).once;
+    return intensities_of({.mirror = mirror, .second = second, .there = 10, .back = 5}, 0).once;
   };
   EXPECT_EQ(once(rough, smooth), 0);
   EXPECT_NEAR(once(smooth, rough), 0.81 * facet_backscatter(0.9, 0.2, 0) / 25, 1e-12);
@@ -108,13 +134,13 @@ TEST(EchoLawsTest, LobeOfAReciprocalPathCountsOnceInAll) {
 TEST(EchoLawsTest, LobeTowardsARoughMirrorIsWidened) {
   const Scattering mirror{.lambert = 0, .reflection = 1, .rms_slope = 0.05};
   const Scattering second{.lambert = 0, .reflection = 0.9, .rms_slope = 0.1};
-  const MirrorPath path{.mirror = mirror,
-                        .second = second,
-                        .there = 10,
-                        .glint = std::cos(8 * std::numbers::pi / 180),
-                        .variance = 0.03,
-                        .coherent = 0.25};
-  EXPECT_NEAR(mirror_intensities(path, 0).twice, 0.81 * 1.03989 * (0.25 * 1.48203 + 0.75 * 0.777095) / 100, 1e-7);
+  const Path path{.mirror = mirror,
+                  .second = second,
+                  .there = 10,
+                  .glint = std::cos(8 * std::numbers::pi / 180),
+                  .variance = 0.03,
+                  .coherence = 0.25};
+  EXPECT_NEAR(intensities_of(path, 0).twice, 0.81 * 1.03989 * (0.25 * 1.48203 + 0.75 * 0.777095) / 100, 1e-7);
 }
 
 // The sea's table takes off what its lobe has too much: never more than the lobe, wherever that is looked up and
@@ -129,16 +155,16 @@ TEST(EchoLawsTest, TheSeaNeverScattersLessThanNothingTowardsAMirror) {
     ASSERT_TRUE(sea.by_angle);
     for (const float in : {0.9999F, 0.98F, 0.9F, 0.6F, 0.2F, 0.05F}) {
       MirrorPaths paths = {};
-      std::vector<MirrorPath> expected;
+      std::vector<Path> expected;
       for (int lane = 0; lane < kPathLanes; ++lane) {
         const float glint = 1 - static_cast<float>(lane) / (2 * kPathLanes), variance = lane % 3 == 0 ? 0.0F : 0.05F;
         paths.reflectance[lane] = paths.share[lane] = paths.texture[lane] = paths.returned[lane] = paths.spread[lane] =
             1;
         paths.there[lane] = paths.back[lane] = 10;
-        paths.in[lane] = paths.out[lane] = paths.half[lane] = paths.facet[lane] = in;
+        paths.arriving[lane] = paths.leaving[lane] = paths.between[lane] = paths.facet[lane] = in;
         paths.glint[lane] = lane == 0 ? in : glint;
         paths.variance[lane] = variance;
-        paths.coherent[lane] = lane % 2 == 0 ? 0.3F : 0.0F;
+        paths.coherence[lane] = lane % 2 == 0 ? 0.3F : 0.0F;
         paths.steepness[lane] = table.steepness(surface_label(0, 1));
         paths.surface[lane] = surface_label(0, 0);
         expected.push_back({.mirror = {.lambert = 0, .reflection = 1, .rms_slope = 0.05},
@@ -150,19 +176,19 @@ TEST(EchoLawsTest, TheSeaNeverScattersLessThanNothingTowardsAMirror) {
                             .half = in,
                             .glint = paths.glint[lane],
                             .variance = variance,
-                            .coherent = paths.coherent[lane],
+                            .coherence = paths.coherence[lane],
                             .facet = in});
       }
       MirrorPowers powers;
       fill_mirror_powers(table, 0, paths, powers);
       for (int lane = 0; lane < kPathLanes; ++lane) {
-        const double twice = mirror_intensities(expected[lane], 0).twice;
+        const double twice = intensities_of(expected[lane], 0).twice;
         EXPECT_GE(twice, 0) << wind_speed << ' ' << in << ' ' << lane;
         EXPECT_NEAR(powers.twice[lane], twice, 1e-4 * twice + 1e-12) << wind_speed << ' ' << in << ' ' << lane;
       }
       // Along the way out, and not widened, it is the sea's own backscatter.
       const double own = sea_surface_backscatter(std::asin(in), kFrequency, wind_speed);
-      EXPECT_NEAR(mirror_intensities(expected[0], 0).twice * in * 100 / own, 1, 0.05) << wind_speed << ' ' << in;
+      EXPECT_NEAR(intensities_of(expected[0], 0).twice * in * 100 / own, 1, 0.05) << wind_speed << ' ' << in;
     }
   }
 }
@@ -186,7 +212,8 @@ TEST(EchoLawsTest, VectorLoopHasThePrimaryIntensities) {
       table.fill_powers(rows, gamma, hits);
       const Scattering surface = materials[m].scattering(kFrequency);
       for (int row = 0; row < rows; ++row) {
-        const double expected = primary_intensity(surface, hits.facing[row], hits.texture[row], gamma, range);
+        const double expected =
+            precise::primary_intensity_of(surface, hits.facing[row], hits.texture[row], gamma, range);
         EXPECT_NEAR(hits.power[row], expected, tolerance(expected, surface.rms_slope, cosines[row]))
             << materials[m].name << ", material " << m << ", cosine " << hits.facing[row] << ", range " << range;
       }
@@ -222,14 +249,14 @@ TEST(EchoLawsTest, VectorLoopHasTheMirrorIntensities) {
   constexpr float kGamma = 0.026F;
   constexpr float kIncidence = 0.85F, kFacet = 0.6F;
   constexpr float kCosines[] = {1, 0.9999F, 0.97F, 0.7F, 0.3F, 0.1F, 0.0101F, 0.009F, 1e-4F, 0};
-  std::vector<MirrorPath> expected;
+  std::vector<Path> expected;
   MirrorPaths paths = {};
   const auto compare = [&] {
     MirrorPowers powers;
     fill_mirror_powers(table, kGamma, paths, powers);
     for (std::size_t lane = 0; lane < expected.size(); ++lane) {
-      const MirrorPath& path = expected[lane];
-      const MirrorIntensities intensities = mirror_intensities(path, double{kGamma});
+      const Path& path = expected[lane];
+      const precise::MirrorIntensities intensities = intensities_of(path, double{kGamma});
       const double slope = path.second.rms_slope;
       EXPECT_NEAR(powers.once[lane], intensities.once, tolerance(intensities.once, slope, std::abs(path.half)))
           << path.in << ' ' << path.out << ' ' << path.half << ' ' << path.mirror.rms_slope << ' ' << slope;
@@ -254,14 +281,14 @@ TEST(EchoLawsTest, VectorLoopHasTheMirrorIntensities) {
             paths.there[lane] = 12.5F;
             paths.back[lane] = 7.25F;
             paths.spread[lane] = spread;
-            paths.in[lane] = side * in;
-            paths.out[lane] = other_side * out;
-            paths.half[lane] = side * half;
+            paths.arriving[lane] = side * in;
+            paths.leaving[lane] = other_side * out;
+            paths.between[lane] = side * half;
             paths.facet[lane] = kFacet;
             const bool facets = lane % 3 == 1;
-            paths.glint[lane] = facets ? half : paths.in[lane];
+            paths.glint[lane] = facets ? half : paths.arriving[lane];
             paths.variance[lane] = facets ? 0.02F : 0.0F;
-            paths.coherent[lane] = facets ? 0.4F : 1.0F;
+            paths.coherence[lane] = facets ? 0.4F : 1.0F;
             paths.texture[lane] = 0.6F;
             paths.surface[lane] = surface_label(1, second);
             expected.push_back({.mirror = materials[mirror].scattering(kFrequency),
@@ -279,7 +306,7 @@ TEST(EchoLawsTest, VectorLoopHasTheMirrorIntensities) {
                                 .half = side * half,
                                 .glint = facets ? std::optional<double>(half) : std::nullopt,
                                 .variance = paths.variance[lane],
-                                .coherent = paths.coherent[lane],
+                                .coherence = paths.coherence[lane],
                                 .facet = kFacet});
             if (expected.size() == kPathLanes) {
               compare();
@@ -348,7 +375,7 @@ TEST(EchoLawsTest, VectorLoopsHaveThePaperStrengths) {
     const double gamma = plan->neper_per_metre;
     for (int row = 0; row < 200; ++row) {
       const double strength =
-          paper_strength(hits.facing[row], hits.reflectivity[row], gamma, 2 * double{hits.range[row]});
+          precise::paper_strength(hits.facing[row], hits.reflectivity[row], gamma, 2 * double{hits.range[row]});
       EXPECT_NEAR(hits.strength[row], strength, kRelative * strength) << row;
       EXPECT_NEAR(hits.power[row], model.shape(strength), kSigmoidError)
           << row << ", slope " << model.sigmoid_slope << ", midpoint " << model.sigmoid_midpoint;
@@ -357,7 +384,7 @@ TEST(EchoLawsTest, VectorLoopsHaveThePaperStrengths) {
     std::vector<float> rest(200, 17.5F), power(200);
     secondary_powers(*plan, 200, hits.strength, rest.data(), power.data());
     for (int row = 0; row < 200; ++row) {
-      const double strength = hits.strength[row] * paper_strength(1, 1, gamma, 17.5);
+      const double strength = hits.strength[row] * precise::paper_strength(1, 1, gamma, 17.5);
       EXPECT_NEAR(power[row], model.shape(strength), kSigmoidError) << row;
     }
   }

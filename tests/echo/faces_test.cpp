@@ -8,8 +8,6 @@
 #include <cmath>
 #include <set>
 
-#include "echo/mirror/face_return.h"
-
 namespace insonify::faces_test {
 namespace {
 

@@ -1,10 +1,8 @@
 // facet_return_test.cpp -- directions in which sound returns over a rough mirror, against sums over its facets.
 
-#include "echo/mirror/facet_return.h"
-
 #include <gtest/gtest.h>
 
-#include "insonify/geometry.h"
+#include "echo/laws/laws.h"
 
 namespace insonify::facet_return_test {
 namespace {
@@ -12,7 +10,7 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180;
 
 Triple triple(const Vec3& v) {
-  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+  return triple_of(v.cast<float>());
 }
 
 // A mirror in the plane z = 0, at the origin of which a smooth one reflects sound from the sonar to a second surface.
@@ -68,7 +66,7 @@ TEST(FacetReturnTest, WayBackIsSpreadAsItsFacetsAre) {
                                               on, on, on);
         EXPECT_NEAR(back.variance / (seen_variance(at, along, aside) / 4), 1, 0.06)
             << angle << ' ' << out << ' ' << lengths;
-        EXPECT_FLOAT_EQ(back.half, 1);
+        EXPECT_FLOAT_EQ(back.glint, 1);
       }
     }
   }
@@ -87,16 +85,16 @@ TEST(FacetReturnTest, WayBackIsThatToTheSonarsImage) {
       const FacetReturn back = facet_return(mirror, triple(on.normalized()), triple(smooth), triple(normal));
       const Vec3 home = held > 0 ? Vec3((image - at.second).normalized()) : Vec3(-on.normalized());
       const Vec3 half = (home - on.normalized()).normalized();
-      EXPECT_NEAR(back.half, std::abs(half.dot(normal)), 1e-6) << met.transpose() << ' ' << held;
+      EXPECT_NEAR(back.glint, std::abs(half.dot(normal)), 1e-6) << met.transpose() << ' ' << held;
     }
   }
 }
 
 // With s = 0.05, cos = 0.8, 5 m of 9: (0.05 x 5/9)^2 x 0.8 = 6.1728e-4, for the share 0.6 alone.
 TEST(FacetReturnTest, VarianceIsThatOfTheFacetsShare) {
-  const FacetReturn back = facet_return({0.05F, 0.4F, -0.8F, 5, 4}, {0, 0, 1}, {0, 0, 1}, {0, 0, -1});
+  const FacetReturn back = facet_return({0.05F, 0.4F, -0.8F, 5, 4, 1}, {0, 0, 1}, {0, 0, 1}, {0, 0, -1});
   EXPECT_NEAR(back.variance, 6.1728e-4 / 0.6, 1e-7);
-  EXPECT_EQ(back.coherent, 0.4F);
+  EXPECT_EQ(back.coherence, 0.4F);
 }
 
 }  // namespace

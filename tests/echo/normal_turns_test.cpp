@@ -8,7 +8,7 @@
 #include <functional>
 #include <numbers>
 
-#include "echo/model/echo_laws.h"
+#include "echo/reference/precise_echoes.h"
 #include "insonify/acoustics/backscatter.h"
 
 namespace insonify::normal_turns_test {
@@ -158,7 +158,7 @@ TEST(NormalTurnsTest, StayOnOneSurface) {
 // Without turns the lobe is that of a flat surface, bit by bit.
 TEST(LobeWideningTest, LeavesFlatSurfacesAsTheyAre) {
   for (float cosine = 0.01F; cosine <= 1; cosine += 0.0037F) {
-    const LobeWidening<float> none = widen_lobe<float>({}, cosine, 200);
+    const LobeWidening none = widen_lobe({}, cosine, 200);
     EXPECT_EQ(none.share, 1);
     EXPECT_EQ(none.spared, 0);
     EXPECT_EQ(widened_lobe(2, 200, cosine, none), facet_lobe(2, 200, cosine) / cosine);
@@ -171,20 +171,20 @@ TEST(LobeWideningTest, LeavesFlatSurfacesAsTheyAre) {
 // / 0.9879385^2 = 0.8785811; / sqrt(0.9698463 + 0.76 x 0.0301537) -> / 0.9963749.
 TEST(LobeWideningTest, HasTheCovarianceOfSlopesInAFootprint) {
   const double sine = 0.17364817766693033, cosine = 0.984807753012208;
-  const LobeWidening<double> widening = widen_lobe<double>({.up_up = 0.09,
-                                                            .side_side = 0.04,
-                                                            .up_side = 0,
-                                                            .up_ray = 0,
-                                                            .side_ray = 0,
-                                                            .up_normal = 0.3 * sine,
-                                                            .side_normal = 0},
-                                                           cosine, 50);
+  const precise::LobeWidening widening = precise::widen_lobe({.up_up = 0.09,
+                                                              .side_side = 0.04,
+                                                              .up_side = 0,
+                                                              .up_ray = 0,
+                                                              .side_ray = 0,
+                                                              .up_normal = 0.3 * sine,
+                                                              .side_normal = 0},
+                                                             cosine, 50);
   EXPECT_NEAR(widening.share, 0.24, 1e-7);
   EXPECT_NEAR(widening.spared, 0.0301537 - 0.0120615, 1e-7);
   const Scattering surface{.lambert = 0, .reflection = 0.9, .rms_slope = 0.1};
   const double expected = 0.81 / (8 * std::numbers::pi * 0.01) * std::sqrt(0.24) *
                           std::exp(-0.0120615 / 0.9879385 / 0.02) / (0.9879385 * 0.9879385) / 0.9963749;
-  EXPECT_NEAR(primary_intensity(surface, cosine, 1, 0, 1, widening), expected, 1e-5);
+  EXPECT_NEAR(precise::primary_intensity_of(surface, cosine, 1, 0, 1, widening), expected, 1e-5);
   EXPECT_NEAR(widened_lobe(static_cast<float>(0.81 / (8 * std::numbers::pi * 0.01)), 50, static_cast<float>(cosine),
                            {static_cast<float>(widening.share), static_cast<float>(widening.spared)}),
               expected, 1e-5);

@@ -1,20 +1,18 @@
 // path_footprint_test.cpp -- footprint segments of paths by way of a mirror, against neighbouring paths traced exactly.
 
-#include "echo/model/path_footprint.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 #include <utility>
 
-#include "insonify/geometry.h"
+#include "echo/laws/laws.h"
 
 namespace insonify::path_footprint_test {
 namespace {
 
 Triple triple(const Vec3& v) {
-  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+  return triple_of(v.cast<float>());
 }
 
 struct Plane {
@@ -38,7 +36,7 @@ struct Path {
     const Vec3 point = range * direction + across * reflected;
     there = range + across;
     whole = there + point.norm();
-    sample = MirrorSample::of(triple(direction), triple(normal), static_cast<float>(range));
+    sample = mirror_sample(triple(direction), triple(normal), static_cast<float>(range));
     end = {static_cast<float>(across), triple(reflected),         triple(second.normal),
            triple(point.normalized()), static_cast<float>(there), static_cast<float>(point.norm())};
   }
@@ -123,19 +121,19 @@ TEST(PathFootprintTest, VanishesAtTheApexOfACorner) {
 }
 
 TEST(PathFootprintTest, IsZeroAcrossAnEdge) {
-  const MirrorSample wall = MirrorSample::of({1, 0, 0}, {-1, 0, 0}, 5);
-  const MirrorSample behind = MirrorSample::of({0.9999995F, 0.001F, 0}, {-1, 0, 0}, 9);
-  const MirrorSample turned = MirrorSample::of({0.9999995F, 0.001F, 0}, {0, -1, 0}, 5);
+  const MirrorSample wall = mirror_sample({1, 0, 0}, {-1, 0, 0}, 5);
+  const MirrorSample behind = mirror_sample({0.9999995F, 0.001F, 0}, {-1, 0, 0}, 9);
+  const MirrorSample turned = mirror_sample({0.9999995F, 0.001F, 0}, {0, -1, 0}, 5);
   for (const MirrorSample& beside : {behind, turned}) {
     const MirrorChange change = mirror_change(wall, beside);
     EXPECT_EQ(change.range, 0);
-    EXPECT_EQ(change.place.dot(change.place), 0);
-    EXPECT_EQ(change.turn.dot(change.turn), 0);
+    EXPECT_EQ(dot(change.place, change.place), 0);
+    EXPECT_EQ(dot(change.turn, change.turn), 0);
   }
 }
 
 TEST(PathFootprintTest, IsAtMostATwentiethOfThePath) {
-  MirrorChange wild;
+  MirrorChange wild = {};
   wild.turn = {0, 0, 0.5F};
   const PathEnd end{4, {0, 0, -1}, {0, 0, 1}, {0, 0.6F, -0.8F}, 9, 6};
   const PathFootprint footprint = path_footprint(wild, 1, wild, end);
@@ -145,7 +143,7 @@ TEST(PathFootprintTest, IsAtMostATwentiethOfThePath) {
 
 // One row's change is known; that of the rows beyond is extrapolated, at most to a two hundredth of the path.
 TEST(PathFootprintTest, IsExtrapolatedToATwoHundredthOfThePath) {
-  MirrorChange slight;
+  MirrorChange slight = {};
   slight.turn = {0, 0, 0.02F};
   const PathEnd end{4, {0, 0, -1}, {0, 0, 1}, {0, 0.6F, -0.8F}, 9, 6};
   const PathFootprint one = path_footprint(slight, 1, {}, end), many = path_footprint(slight, 16, {}, end);

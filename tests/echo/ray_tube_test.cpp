@@ -1,11 +1,12 @@
 // ray_tube_test.cpp -- ray-tube spreading by planes, spheres and cylinders, against the mirror equations.
 
-#include "echo/mirror/ray_tube.h"
-
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
+
+#include "echo/laws/laws.h"
 
 namespace insonify::ray_tube_test {
 namespace {
@@ -14,6 +15,13 @@ constexpr double kDegree = std::numbers::pi / 180;
 
 double area(const RayTube& tube, double across) {
   return std::abs(double{tube.constant} + across * (double{tube.linear} + across * double{tube.quadratic}));
+}
+
+RayTube tube_of(const std::array<Vec3f, 3>& corners, const std::array<Vec3f, 3>& normals, const Vec3f& direction,
+                const Vec3f& normal, float range) {
+  return ray_tube({triple_of(corners[1] - corners[0]), triple_of(corners[2] - corners[0]), triple_of(normals[0]),
+                   triple_of(normals[1]), triple_of(normals[2])},
+                  triple_of(direction), triple_of(normal), range);
 }
 
 // The ray tube of a small triangle at the origin of a surface with the normal z and the curvatures curved_x along x and
@@ -25,7 +33,7 @@ RayTube tube_by(double curved_x, double curved_y, const Vec3f& direction, float 
         side * Vec3f(static_cast<float>(curved_x) * corners[k].x(), static_cast<float>(curved_y) * corners[k].y(), 1)
                    .normalized();
   }
-  return ray_tube(corners, normals, direction, side * Vec3f::UnitZ(), range);
+  return tube_of(corners, normals, direction, side * Vec3f::UnitZ(), range);
 }
 
 Vec3f from_angle(double degrees, double turned = 0) {
@@ -43,7 +51,7 @@ TEST(RayTubeTest, PlaneSpreadsAsFromItsImage) {
   // A relief that tilts the whole triangle leaves it a plane.
   const std::array<Vec3f, 3> corners = {Vec3f::Zero(), Vec3f::UnitX(), Vec3f::UnitY()};
   const std::array<Vec3f, 3> normals = {Vec3f::UnitZ(), Vec3f::UnitZ(), Vec3f::UnitZ()};
-  EXPECT_NEAR(area(ray_tube(corners, normals, from_angle(20), Vec3f(0.2F, 0, 1).normalized(), 7), 3), 100, 1e-4);
+  EXPECT_NEAR(area(tube_of(corners, normals, from_angle(20), Vec3f(0.2F, 0, 1).normalized(), 7), 3), 100, 1e-4);
 }
 
 // Mirror equations of a sphere of radius a: 1/r + 2/(a cos t) in the plane of incidence, 1/r + 2 cos t/a across it; a <

@@ -10,7 +10,7 @@
 #include <numbers>
 
 #include "base/philox.h"
-#include "echo/model/mirror_facet.h"
+#include "echo/laws/laws.h"
 
 namespace insonify::surface_law_test {
 namespace {

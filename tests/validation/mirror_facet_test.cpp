@@ -1,7 +1,6 @@
 // mirror_facet_test.cpp -- the random facets by which a rough mirror reflects rays.
 
-#include "echo/model/mirror_facet.h"
-
+#include "echo/laws/laws.h"
 #include "echo/mirror/mirror_paths.h"
 #include "validation/secondary_grid.h"
 
@@ -14,7 +13,7 @@ TEST(FacetSlopesTest, AreNormalAndIndependent) {
     double sum[2] = {}, squares[2] = {}, both = 0, within = 0;
     for (int column = 100; column < 100 + size; ++column) {
       for (int row = 30; row < 30 + size; ++row) {
-        const FacetSlopes slopes = FacetSlopes::of(column, row, 12345);
+        const FacetSlopes slopes = facet_slopes(column, row, 12345);
         const double pair[] = {slopes.along, slopes.across};
         for (int i = 0; i < 2; ++i) {
           sum[i] += pair[i];
@@ -48,10 +47,10 @@ TEST(MirrorFacetTest, SharesSumToTheReflectedFraction) {
     double sum = 0;
     constexpr int kSide = 300;
     for (int i = 0; i < kSide * kSide; ++i) {
-      const FacetSlopes slopes = FacetSlopes::of(i / kSide, i % kSide, 7);
-      const MirrorFacet facet = mirror_facet(direction, {0, 0, 1}, {}, static_cast<float>(c.slope), slopes);
+      const FacetSlopes slopes = facet_slopes(i / kSide, i % kSide, 7);
+      const MirrorFacet facet = mirror_facet(direction, {0, 0, 1}, {}, static_cast<float>(c.slope), slopes, {});
       sum += facet.share;
-      ASSERT_NEAR(facet.normal.dot(facet.normal), 1, 1e-5);
+      ASSERT_NEAR(dot(facet.normal, facet.normal), 1, 1e-5);
     }
     EXPECT_NEAR(sum / (kSide * kSide), c.reflected, 0.01) << c.slope << ", " << c.grazing_deg;
   }
@@ -98,8 +97,8 @@ TEST(FacetSlopeTest, VariancesSumToThatOfTheRoughness) {
 // Engines differ in the sign of zero components of normals; it must not matter.
 TEST(MirrorFacetTest, TheSignOfZeroDoesNotMatter) {
   const Triple direction{0.8F, 0.6F, 0};
-  const MirrorFacet a = mirror_facet(direction, {-1, 0, 0.0F}, {}, 0.1F, {0.7F, -0.4F});
-  const MirrorFacet b = mirror_facet(direction, {-1, 0, -0.0F}, {}, 0.1F, {0.7F, -0.4F});
+  const MirrorFacet a = mirror_facet(direction, {-1, 0, 0.0F}, {}, 0.1F, {0.7F, -0.4F, 0.5F}, {});
+  const MirrorFacet b = mirror_facet(direction, {-1, 0, -0.0F}, {}, 0.1F, {0.7F, -0.4F, 0.5F}, {});
   EXPECT_EQ(a.share, b.share);
   EXPECT_EQ(a.normal.y, b.normal.y);
   EXPECT_EQ(a.normal.z, b.normal.z);
@@ -115,10 +114,10 @@ TEST(MirrorFacetTest, NothingIsReflectedThroughASurfaceWithRelief) {
   const Triple gradient{-away, 0, 0};
   int reflected = 0;
   for (int row = 0; row < 4000; ++row) {
-    const MirrorFacet facet = mirror_facet(direction, bent, gradient, 0.05F, FacetSlopes::of(1, row, 3));
+    const MirrorFacet facet = mirror_facet(direction, bent, gradient, 0.05F, facet_slopes(1, row, 3), {});
     if (facet.share > 0) {
       ++reflected;
-      EXPECT_GT(direction.z - 2 * direction.dot(facet.normal) * facet.normal.z, -1e-6F);
+      EXPECT_GT(direction.z - 2 * dot(direction, facet.normal) * facet.normal.z, -1e-6F);
     }
   }
   EXPECT_GT(reflected, 2000);
@@ -135,7 +134,7 @@ TEST(MirrorFacetTest, ShareCountsOnceForBothWays) {
   for (int lane = 0; lane < kPathLanes; ++lane) {
     paths.reflectance[lane] = paths.spread[lane] = paths.texture[lane] = 1;
     paths.there[lane] = paths.back[lane] = 5;
-    paths.in[lane] = paths.out[lane] = paths.half[lane] = 1;
+    paths.arriving[lane] = paths.leaving[lane] = paths.between[lane] = 1;
     paths.returned[lane] = 1;
     paths.share[lane] = lane == 0 ? 1.0F : 0.5F;
   }
@@ -150,8 +149,8 @@ TEST(MirrorFacetTest, ShareCountsOnceForBothWays) {
 TEST(MirrorFacetTest, FacesTheSideOfTheSound) {
   for (const Triple& normal : {Triple{0, 0, 1}, Triple{0, 0, -1}, Triple{1, 0, 0}, Triple{0, -1, 0}}) {
     for (const float side : {1.0F, -1.0F}) {
-      const MirrorFacet facet = mirror_facet(-1 * normal, side * normal, {}, 0.1F, {0.5F, -0.3F});
-      EXPECT_NEAR(facet.normal.dot(normal), 1 / std::sqrt(1 + 0.01F * (0.25F + 0.09F)), 1e-6F);
+      const MirrorFacet facet = mirror_facet(-1 * normal, side * normal, {}, 0.1F, {0.5F, -0.3F, 0.5F}, {});
+      EXPECT_NEAR(dot(facet.normal, normal), 1 / std::sqrt(1 + 0.01F * (0.25F + 0.09F)), 1e-6F);
       EXPECT_GT(facet.share, 0);
     }
   }

@@ -10,7 +10,6 @@
 #include "echo/cpu/ray_packet.h"
 #include "echo/grid/echo.h"
 #include "echo/mirror/faces.h"
-#include "echo/mirror/ray_tube.h"
 #include "echo/mirror/water_path.h"
 #include "echo/model/reliefs.h"
 #include "echo/rays/box_cut.h"

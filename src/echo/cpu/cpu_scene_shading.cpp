@@ -2,6 +2,7 @@
 
 #include "base/vector_math.h"
 #include "echo/cpu/cpu_scene.h"
+#include "echo/laws/laws.h"
 
 namespace insonify {
 namespace {
@@ -57,17 +58,16 @@ void CpuScene::shade(const RTCHit16& hits, Shading& shading) const {
 RayTube CpuScene::tube(SurfaceLabel surface, std::uint32_t triangle, const Vec3f& direction, const Vec3f& normal,
                        float range) const {
   const Part& part = parts_[instance_of(surface)];
-  std::array<Vec3f, 3> corners, normals;
-  for (int k = 0; k < 3; ++k) {
-    const std::uint32_t vertex = part.triangles[triangle][k];
-    corners[k] = part.own_vertices[vertex];
-    normals[k] = part.normals[vertex];
-  }
+  const auto& corners = part.triangles[triangle];
+  const Vec3f& first = part.own_vertices[corners[0]];
+  const CurvedTriangle mirror = {triple_of(part.own_vertices[corners[1]] - first),
+                                 triple_of(part.own_vertices[corners[2]] - first), triple_of(part.normals[corners[0]]),
+                                 triple_of(part.normals[corners[1]]), triple_of(part.normals[corners[2]])};
   if (part.placed == nullptr) {
-    return ray_tube(corners, normals, direction, normal, range);
+    return ray_tube(mirror, triple_of(direction), triple_of(normal), range);
   }
   const Eigen::Matrix3f turned = part.rotation.transpose();
-  return ray_tube(corners, normals, turned * direction, turned * normal, range);
+  return ray_tube(mirror, triple_of(turned * direction), triple_of(turned * normal), range);
 }
 
 FaceEdges CpuScene::face_edges(SurfaceLabel surface, std::uint32_t triangle, const Vec3f& point) const {

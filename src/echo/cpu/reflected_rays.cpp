@@ -3,8 +3,6 @@
 #include "echo/cpu/reflected_rays.h"
 
 #include "base/vector_math.h"
-#include "echo/model/mirror_facet.h"
-#include "echo/rays/reflected_reach.h"
 
 namespace insonify {
 namespace {
@@ -63,8 +61,8 @@ void compare(const HitColumn& strip, const int* __restrict__ beside, int count, 
                             {mirrors.normal_x[lane], mirrors.normal_y[lane], mirrors.normal_z[lane]},
                             {mirrors.reflected_x[lane], mirrors.reflected_y[lane], mirrors.reflected_z[lane]},
                             range[lane]};
-    const MirrorSample there = MirrorSample::of({direction_x[at], direction_y[at], direction_z[at]},
-                                                {normal_x[at], normal_y[at], normal_z[at]}, ranges[at]);
+    const MirrorSample there = mirror_sample({direction_x[at], direction_y[at], direction_z[at]},
+                                             {normal_x[at], normal_y[at], normal_z[at]}, ranges[at]);
     changes.set(lane, mirror_change(here, there));
   }
 }
@@ -82,12 +80,12 @@ INSONIFY_VECTOR_CLONES
 void draw_slopes(int count, std::uint32_t seed, const ReflectedOrigins& __restrict__ origins,
                  DrawnFacets& __restrict__ facets) {
   for (int lane = 0; lane < count; ++lane) {
-    const FacetSlopes slopes = FacetSlopes::of(static_cast<std::uint32_t>(origins.column[lane]),
-                                               static_cast<std::uint32_t>(origins.row[lane]), seed);
+    const FacetSlopes slopes = facet_slopes(static_cast<std::uint32_t>(origins.column[lane]),
+                                            static_cast<std::uint32_t>(origins.row[lane]), seed);
     facets.along[lane] = slopes.along;
     facets.across[lane] = slopes.across;
-    facets.slope[lane] = facet_slope(1 / std::sqrt(2 * origins.steepness[lane]), origins.roughness[lane],
-                                     origins.incidence[lane], slopes.pick);
+    facets.slope[lane] =
+        facet_slope(slope_of(origins.steepness[lane]), origins.roughness[lane], origins.incidence[lane], slopes.pick);
   }
 }
 
@@ -108,12 +106,12 @@ void reflect_from_facets(const HitColumn& strip, const int* __restrict__ place_o
     const Triple tilt{edges.tilt_x[lane], edges.tilt_y[lane], edges.tilt_z[lane]};
     const MirrorFacet facet =
         mirror_facet(direction, {mirrors.normal_x[lane], mirrors.normal_y[lane], mirrors.normal_z[lane]}, gradient,
-                     facets.slope[lane], {facets.along[lane], facets.across[lane]}, tilt);
-    const Triple reflected = direction - 2 * direction.dot(facet.normal) * facet.normal;
+                     facets.slope[lane], {facets.along[lane], facets.across[lane], 0}, tilt);
+    const Triple reflected = reflect(direction, facet.normal);
     facets.reflected_x[lane] = reflected.x;
     facets.reflected_y[lane] = reflected.y;
     facets.reflected_z[lane] = reflected.z;
-    facets.reach[lane] = reflected_reach(out, direction.dot(reflected), max_range);
+    facets.reach[lane] = reflected_reach(out, dot(direction, reflected), max_range);
     facets.share[lane] = facet.share;
   }
 }
@@ -139,18 +137,17 @@ void project(const Mirrors& __restrict__ mirrors, const EdgeLanes& __restrict__ 
   for (int lane = 0; lane < kPacketSize; ++lane) {
     const Triple place{mirrors.place_x[lane], mirrors.place_y[lane], mirrors.place_z[lane]};
     const Triple direction = (1 / origins.range[lane]) * place;
-    const Triple half = Triple{rays.dir_x[lane], rays.dir_y[lane], rays.dir_z[lane]} - direction;
+    const Triple reflected{rays.dir_x[lane], rays.dir_y[lane], rays.dir_z[lane]};
     const Triple normal{mirrors.normal_x[lane], mirrors.normal_y[lane], mirrors.normal_z[lane]};
-    const float cosine = std::abs(origins.incidence[lane]), upright = half.dot(normal);
-    const float slope = 1 / std::sqrt(2 * origins.steepness[lane]);
+    const float cosine = std::abs(origins.incidence[lane]), slope = slope_of(origins.steepness[lane]);
     for (int axis = 0; axis < 2; ++axis) {
       const Triple along{edges.axis_x[axis][lane], edges.axis_y[axis][lane], edges.axis_z[axis][lane]};
-      const FaceSide side = face_side(0, 0, half.dot(along) / std::abs(upright), direction.dot(along), cosine, slope);
+      const FaceSide side = face_side_of_ray(0, 0, along, direction, reflected, normal, cosine, slope);
       faces.bend[axis][lane] = side.bend;
       faces.shift[axis][lane] = side.shift;
       faces.spread[axis][lane] = side.spread;
     }
-    faces.coherent[lane] = fast_exp(-origins.roughness[lane] * cosine * cosine);
+    faces.coherence[lane] = coherent_share(origins.roughness[lane], cosine);
     origins.smooth_x[lane] = mirrors.reflected_x[lane];
     origins.smooth_y[lane] = mirrors.reflected_y[lane];
     origins.smooth_z[lane] = mirrors.reflected_z[lane];
@@ -206,7 +203,7 @@ void FaceLanes::copy(int to, const FaceLanes& from, int lane) {
     shift[axis][to] = from.shift[axis][lane];
     spread[axis][to] = from.spread[axis][lane];
   }
-  coherent[to] = from.coherent[lane];
+  coherence[to] = from.coherence[lane];
   finite[to] = from.finite[lane];
 }
 

@@ -3,18 +3,16 @@
 #pragma once
 
 #include "echo/cpu/ray_packet.h"
-#include "echo/mirror/face_return.h"
+#include "echo/laws/laws.h"
 #include "echo/mirror/faces.h"
-#include "echo/mirror/ray_tube.h"
 #include "echo/model/hit_column.h"
-#include "echo/model/path_footprint.h"
 
 namespace insonify {
 
 /// FaceSide of both sides of the faces of sixteen mirrors, and what else face_return() needs.
 struct FaceLanes {
   float low[2][kPacketSize], high[2][kPacketSize], bend[2][kPacketSize], shift[2][kPacketSize], spread[2][kPacketSize];
-  float coherent[kPacketSize];
+  float coherence[kPacketSize];
   float finite[kPacketSize];  ///< 1 where there is a face, 0 where the mirror has no edges.
 
   [[nodiscard, gnu::always_inline]] FaceSide side(int axis, int lane) const {
@@ -29,6 +27,25 @@ struct EdgeLanes {
   float tilt_x[kPacketSize], tilt_y[kPacketSize], tilt_z[kPacketSize];
 };
 
+/// The MirrorChange of sixteen samples.
+struct alignas(64) MirrorChanges {
+  float range[kPacketSize], place_x[kPacketSize], place_y[kPacketSize], place_z[kPacketSize];
+  float turn_x[kPacketSize], turn_y[kPacketSize], turn_z[kPacketSize];
+
+  [[nodiscard, gnu::always_inline]] MirrorChange at(int lane) const {
+    return {range[lane], {place_x[lane], place_y[lane], place_z[lane]}, {turn_x[lane], turn_y[lane], turn_z[lane]}};
+  }
+  [[gnu::always_inline]] void set(int lane, const MirrorChange& change) {
+    range[lane] = change.range;
+    place_x[lane] = change.place.x;
+    place_y[lane] = change.place.y;
+    place_z[lane] = change.place.z;
+    turn_x[lane] = change.turn.x;
+    turn_y[lane] = change.turn.y;
+    turn_z[lane] = change.turn.z;
+  }
+};
+
 /// The hits on the first surface that a packet of reflected rays starts from.
 struct ReflectedOrigins {
   int column[kPacketSize], row[kPacketSize];  ///< Sample of the lattice.
@@ -38,8 +55,8 @@ struct ReflectedOrigins {
   float roughness[kPacketSize], incidence[kPacketSize];                        ///< Arguments of facet_slope().
   float smooth_x[kPacketSize], smooth_y[kPacketSize], smooth_z[kPacketSize];   ///< Directions of smooth mirrors' rays.
   FaceLanes faces;                                                             ///< `calibrated`
-  RayTube tube[kPacketSize];   ///< `calibrated` with more than two surfaces.
-  MirrorChanges above, aside;  ///< Changes to the neighbours in the column and in the next column.
+  RayTube tube[kPacketSize] = {};  ///< `calibrated` with more than two surfaces.
+  MirrorChanges above, aside;      ///< Changes to the neighbours in the column and in the next column.
 };
 
 /// MirrorSample of sixteen hits.

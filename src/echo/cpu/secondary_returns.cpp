@@ -5,7 +5,6 @@
 
 #include "base/vector_math.h"
 #include "echo/cpu/secondary_task.h"
-#include "echo/mirror/facet_return.h"
 #include "echo/mirror/mirror_paths.h"
 #include "echo/model/deposit.h"
 #include "echo/model/ray_limits.h"
@@ -57,7 +56,7 @@ void measure_footprints(const RTCRay16& __restrict__ rays, const CpuScene::Shadi
                         const ReflectedOrigins& __restrict__ origins, Returns& __restrict__ returns) {
   for (int lane = 0; lane < kPacketSize; ++lane) {
     const Triple normal{met.normal_x[lane], met.normal_y[lane], met.normal_z[lane]};
-    const float length = 1 / std::sqrt(normal.dot(normal) + kTiny);
+    const float length = 1 / std::sqrt(dot(normal, normal) + kTiny);
     const PathEnd end{rays.tfar[lane],     {rays.dir_x[lane], rays.dir_y[lane], rays.dir_z[lane]},
                       length * normal,     {-returns.back_x[lane], -returns.back_y[lane], -returns.back_z[lane]},
                       returns.there[lane], returns.distance[lane]};
@@ -89,32 +88,26 @@ void fill_paths(const RTCRay16& __restrict__ rays, const CpuScene::Shading& __re
                 const ReflectedOrigins& __restrict__ origins, const Returns& __restrict__ returns, float wavelength,
                 MirrorPaths& __restrict__ paths) {
   for (int lane = 0; lane < kPacketSize; ++lane) {
-    const float ix = -rays.dir_x[lane], iy = -rays.dir_y[lane], iz = -rays.dir_z[lane];
-    const float bx = returns.back_x[lane], by = returns.back_y[lane], bz = returns.back_z[lane];
-    const float hx = ix + bx, hy = iy + by, hz = iz + bz;
-    const float nx = met.normal_x[lane], ny = met.normal_y[lane], nz = met.normal_z[lane];
-    const float length = 1 / std::sqrt(nx * nx + ny * ny + nz * nz + kTiny);
-    const float half_scale = 1 / std::sqrt(hx * hx + hy * hy + hz * hz + kTiny);
-    const float half_length = length * half_scale;
-    paths.in[lane] = (nx * ix + ny * iy + nz * iz) * length;
-    paths.out[lane] = (nx * bx + ny * by + nz * bz) * length;
-    paths.half[lane] = (nx * hx + ny * hy + nz * hz) * half_length;
-    paths.facet[lane] = (ix * hx + iy * hy + iz * hz) * half_scale;
+    const SecondAngles angles = second_angles({met.normal_x[lane], met.normal_y[lane], met.normal_z[lane]},
+                                              {-rays.dir_x[lane], -rays.dir_y[lane], -rays.dir_z[lane]},
+                                              {returns.back_x[lane], returns.back_y[lane], returns.back_z[lane]});
+    paths.arriving[lane] = angles.arriving;
+    paths.leaving[lane] = angles.leaving;
+    paths.between[lane] = angles.between;
+    paths.facet[lane] = angles.facet;
     paths.reflectance[lane] = origins.reflectance[lane];
     paths.share[lane] = origins.share[lane];
     paths.steepness[lane] = origins.steepness[lane];
     paths.there[lane] = returns.there[lane];
     const float across = rays.tfar[lane];
-    const RayTube& tube = origins.tube[lane];
-    paths.spread[lane] = std::abs(tube.constant + across * (tube.linear + across * tube.quadratic)) /
-                         (returns.there[lane] * returns.there[lane]);
+    paths.spread[lane] = tube_spread(origins.tube[lane], across, returns.there[lane]);
     const float rho = origins.range[lane] * across / returns.there[lane];
     const float returned = face_return(origins.faces.side(0, lane), origins.faces.side(1, lane),
-                                       origins.faces.coherent[lane], rho, wavelength);
+                                       origins.faces.coherence[lane], rho, wavelength);
     paths.returned[lane] = origins.faces.finite[lane] > 0 ? returned : 1.0F;
-    paths.glint[lane] = paths.in[lane];
+    paths.glint[lane] = angles.arriving;
     paths.variance[lane] = 0;
-    paths.coherent[lane] = 1;
+    paths.coherence[lane] = 1;
     paths.back[lane] = returns.distance[lane];
     paths.texture[lane] = met.texture[lane];
     paths.surface[lane] = met.surface[lane];
@@ -129,16 +122,19 @@ void fill_facet_returns(const RTCRay16& __restrict__ rays, const CpuScene::Shadi
     const float out = origins.range[lane], across = rays.tfar[lane];
     const float held =
         held_on_face(origins.faces.side(0, lane), origins.faces.side(1, lane), out * across / (out + across));
-    const RoughMirror mirror{
-        1 / std::sqrt(2 * origins.steepness[lane]),  origins.faces.coherent[lane], origins.incidence[lane], out, across,
-        origins.faces.finite[lane] > 0 ? held : 1.0F};
+    const RoughMirror mirror{slope_of(origins.steepness[lane]),
+                             origins.faces.coherence[lane],
+                             origins.incidence[lane],
+                             out,
+                             across,
+                             origins.faces.finite[lane] > 0 ? held : 1.0F};
     const Triple normal{met.normal_x[lane], met.normal_y[lane], met.normal_z[lane]};
     const FacetReturn back = facet_return(mirror, {rays.dir_x[lane], rays.dir_y[lane], rays.dir_z[lane]},
                                           {origins.smooth_x[lane], origins.smooth_y[lane], origins.smooth_z[lane]},
-                                          1 / std::sqrt(normal.dot(normal) + kTiny) * normal);
-    paths.glint[lane] = back.half;
+                                          1 / std::sqrt(dot(normal, normal) + kTiny) * normal);
+    paths.glint[lane] = back.glint;
     paths.variance[lane] = back.variance;
-    paths.coherent[lane] = back.coherent;
+    paths.coherence[lane] = back.coherence;
   }
 }
 
@@ -206,15 +202,11 @@ void SecondaryTask::return_mirrored(const RTCRay16& rays, const ReflectedOrigins
     }
     const Vec3f arrival_direction = -(axes_.transpose() * returns.back(lane));
     if (powers.once[lane] > 0 && 0.5F * (there + back) < plan_->reach() && plan_->receives(arrival_direction)) {
-      const PingPlan::Arrival arrival = plan_->arrival_from(arrival_direction);
       echo.half_length = returns.once[lane];
-      const float power = powers.once[lane] * arrival.pattern;
-      echo.power = power * plan_->sent_beside(origins.column[lane], arrival);  // The reciprocal path.
-      returning_[returning_count_] = echo;
-      echo.power = power * plan_->received_beside(origins.column[lane], arrival);
-      echo.azimuth = arrival.bearing;
-      echo.elevation = arrival.elevation;
-      arriving_[returning_count_] = echo;
+      const ReciprocalEchoes echoes = reciprocal_echoes(*plan_, origins.column[lane], echo, powers.once[lane],
+                                                        plan_->arrival_from(arrival_direction));
+      returning_[returning_count_] = echoes.launched;
+      arriving_[returning_count_] = echoes.arriving;
       send_back(returns.point(lane), returns.back(lane), back);
     }
   }

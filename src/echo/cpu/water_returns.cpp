@@ -6,18 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "echo/laws/laws.h"
 #include "echo/model/deposit.h"
 #include "echo/model/ray_limits.h"
 
 namespace insonify {
-
-namespace {
-
-Triple triple_of(const Vec3& v) {
-  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
-}
-
-}  // namespace
 
 WaterReturns::WaterReturns(const CpuScene& scene) : scene_(scene) {
   for (int lane = 0; lane < kPacketSize; ++lane) {
@@ -64,22 +57,16 @@ void WaterReturns::connect(const SecondHit& hit, int column, int row, const Echo
   if (!(power > 0)) {
     return;
   }
-  const PingPlan::Arrival arrival = plan_->arrival_from(arrival_direction);
   Echo one = echo;
   one.order = 3;
   one.path_length = there + static_cast<float>(path->length);
   one.half_length = path_footprint(hit.above, hit.selected, hit.aside,
-                                   {across, triple_of(hit.direction.cast<double>()), triple_of(normal),
-                                    triple_of(-path->out), there, static_cast<float>(path->length)})
+                                   {across, triple_of(hit.direction), triple_of(normal.cast<float>()),
+                                    triple_of((-path->out).cast<float>()), there, static_cast<float>(path->length)})
                         .once;
   one.weight *= weight;
-  const float received = static_cast<float>(power) * arrival.pattern;
-  one.power = received * plan_->sent_beside(column, arrival);  // The reciprocal path.
-  launched_[count_] = one;
-  one.power = received * plan_->received_beside(column, arrival);
-  one.azimuth = arrival.bearing;
-  one.elevation = arrival.elevation;
-  arriving_[count_] = one;
+  echoes_[count_] =
+      reciprocal_echoes(*plan_, column, one, static_cast<float>(power), plan_->arrival_from(arrival_direction));
 
   const Vec3 from_bounce = sonar_ - path->bounce;
   const double last = from_bounce.norm(), first = path->length - last;
@@ -111,8 +98,8 @@ void WaterReturns::finish() {
   }
   for (int lane = 0; lane < count_; ++lane) {
     if (!to_water_.blocked(lane) && !to_sonar_.blocked(lane)) {
-      deposit(*plan_, launched_[lane], *grid_);
-      arrivals_->push_back(arriving_[lane]);
+      deposit(*plan_, echoes_[lane].launched, *grid_);
+      arrivals_->push_back(echoes_[lane].arriving);
     }
   }
   count_ = 0;

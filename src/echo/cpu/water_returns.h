@@ -7,8 +7,9 @@
 #include "echo/cpu/cpu_scene.h"
 #include "echo/cpu/ray_packet.h"
 #include "echo/grid/echo_grid.h"
+#include "echo/laws/laws.h"
+#include "echo/mirror/secondary_echo.h"
 #include "echo/mirror/water_path.h"
-#include "echo/model/path_footprint.h"
 #include "echo/model/ping_plan.h"
 
 namespace insonify {
@@ -51,7 +52,7 @@ class WaterReturns {
 
  private:
   RayPacket to_water_, to_sonar_;
-  Echo launched_[kPacketSize], arriving_[kPacketSize];
+  ReciprocalEchoes echoes_[kPacketSize];
   int count_ = 0;
   const CpuScene& scene_;
   const PingPlan* plan_ = nullptr;

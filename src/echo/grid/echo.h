@@ -1,7 +1,7 @@
 // echo.h -- single arrivals, as engines and targets pass them to an EchoGrid.
 //
 // There are three kinds, because they are added in different ways:
-// - FootprintSegment (surface_run.h): a primary echo between two neighbouring samples of a column.
+// - FootprintSegment (echo/laws/hit_footprint.h): a primary echo between two neighbouring samples of a column.
 //   A ping has some 200,000; those of one surface are summed by bin before the grid is touched,
 //   which takes a fraction of the time.
 // - Echo: a secondary echo, which may arrive in any beam.

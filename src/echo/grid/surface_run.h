@@ -6,24 +6,9 @@
 #include <vector>
 
 #include "echo/grid/lanes.h"
+#include "echo/laws/laws.h"
 
 namespace insonify {
-
-/// Least half length of a segment at a position, which may be negative [bins]: keeps its density finite in single
-/// precision.
-constexpr float least_half_length(float position) {
-  return 1e-7F * std::max(position < 0 ? -position : position, 500.0F);
-}
-
-/// The echo of the surface between two neighbouring samples: its weight is spread evenly over an interval of positions,
-/// over which its power changes linearly. Positions are in bins from the near edge of bin 0.
-struct FootprintSegment {
-  float low, high;  ///< Ends of the interval [bins]. An empty interval, low >= high, adds nothing.
-  float power;      ///< Power at position 0, by extrapolation.
-  float half_rise;  ///< Half the change of power per bin.
-  float density;    ///< Weight per bin [sr].
-  float elevation;  ///< Elevation of the echo [rad].
-};
 
 /// Sums over one run, per bin: four short arrays that stay in the first-level cache. All zero between runs.
 struct SurfaceSums {

@@ -9,8 +9,6 @@
 #include <unordered_map>
 #include <utility>
 
-#include "echo/model/mirror_facet.h"
-
 namespace insonify {
 namespace {
 
@@ -170,12 +168,12 @@ std::shared_ptr<const MeshFaces> find_faces(const Mesh& mesh) {
 FaceTilt FaceTilt::of(const FaceEdges& face, std::uint32_t column, std::uint32_t row, std::uint32_t seed,
                       float wavelength, float incidence) {
   constexpr std::uint32_t kOwnSeed = 0x9e3779b9U;  // Independent of the random numbers of roughness.
-  constexpr float kLeastCosine = 0.05F;
+  constexpr float kLeastTiltCosine = 0.05F;
   if (!face.finite) {
     return {};
   }
-  const FacetSlopes slopes = FacetSlopes::of(column, row, seed ^ kOwnSeed);
-  const float cosine = std::max(std::abs(incidence), kLeastCosine);
+  const FacetSlopes slopes = facet_slopes(column, row, seed ^ kOwnSeed);
+  const float cosine = std::max(std::abs(incidence), kLeastTiltCosine);
   const float first = slopes.along * diffraction_slope(face.low[0], face.high[0], wavelength, cosine),
               second = slopes.across * diffraction_slope(face.low[1], face.high[1], wavelength, cosine);
   return {first * face.axes[0] + second * face.axes[1]};

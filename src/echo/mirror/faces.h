@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "echo/model/triple.h"
+#include "echo/laws/laws.h"
 #include "insonify/mesh.h"
 
 namespace insonify {
@@ -51,15 +51,6 @@ struct FaceEdges {
   /// @param turn         Rotation from the mesh frame to that of the rays.
   [[nodiscard]] static FaceEdges of(const Face& face, const Vec3f& from_corner, const Eigen::Matrix3f& turn);
 };
-
-/// Rms slope along one axis of the random facets that model diffraction at a face's edges. They spread sound into a
-/// Gaussian beam with the peak of the far field's sinc^2: width lambda/(sqrt(2 pi) a cos) for a side of length a.
-/// @param cosine  Cosine of the angle of incidence, > 0.
-[[gnu::always_inline]] inline float diffraction_slope(float low, float high, float wavelength, float cosine) {
-  constexpr float kSteepest = 0.3F, kRootTwoPi = 2.50662827F;
-  const float slope = wavelength / (2 * kRootTwoPi * cosine * (high - low));
-  return slope < kSteepest ? slope : kSteepest;
-}
 
 /// Tilt of the random facet that models diffraction of one ray at the edges of a face.
 struct FaceTilt {

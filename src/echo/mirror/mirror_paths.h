@@ -3,30 +3,38 @@
 #pragma once
 
 #include "echo/grid/echo.h"
+#include "echo/laws/laws.h"
 #include "echo/model/scatter_table.h"
 
 namespace insonify {
 
 inline constexpr int kPathLanes = 16;
 
-/// MirrorPath of sixteen paths, in single precision.
+/// MirrorPath of sixteen paths.
 struct alignas(64) MirrorPaths {
   float reflectance[kPathLanes];  ///< |R|^2 of the mirror at the angle of incidence, times its texture squared.
   float share[kPathLanes];        ///< As in MirrorPath.
-  float steepness[kPathLanes];    ///< 1 / (2 s^2) of the mirror.
+  float steepness[kPathLanes];    ///< Scatterer::steepness of the mirror.
   float there[kPathLanes];        ///< [m]
-  float spread[kPathLanes];       ///< Relative to a plane mirror.
+  float spread[kPathLanes];       ///< As in MirrorPath.
   float returned[kPathLanes];     ///< As in MirrorPath.
   float back[kPathLanes];         ///< [m]
-  float in[kPathLanes];           ///< Cosines at the second surface.
-  float out[kPathLanes];
-  float half[kPathLanes];
-  float facet[kPathLanes];
-  float glint[kPathLanes];           ///< FacetReturn::half; `in` without facets.
-  float variance[kPathLanes];        ///< FacetReturn
-  float coherent[kPathLanes];        ///< The same.
+  float arriving[kPathLanes], leaving[kPathLanes], between[kPathLanes], facet[kPathLanes];  ///< SecondAngles
+  float glint[kPathLanes], variance[kPathLanes], coherence[kPathLanes];                     ///< FacetReturn
   float texture[kPathLanes];         ///< Texture of the second surface.
   SurfaceLabel surface[kPathLanes];  ///< The second surface; kNoSurface where nothing was hit.
+
+  [[nodiscard, gnu::always_inline]] MirrorPath at(int lane) const {
+    return {reflectance[lane],
+            share[lane],
+            there[lane],
+            back[lane],
+            spread[lane],
+            returned[lane],
+            {arriving[lane], leaving[lane], between[lane], facet[lane]},
+            texture[lane],
+            {glint[lane], variance[lane], coherence[lane]}};
+  }
 };
 
 /// MirrorIntensities of sixteen paths; 0 where nothing was hit.
@@ -34,7 +42,7 @@ struct alignas(64) MirrorPowers {
   float once[kPathLanes], twice[kPathLanes];
 };
 
-/// mirror_intensities() of sixteen paths, in single precision.
+/// mirror_intensities() of sixteen paths.
 void fill_mirror_powers(const ScatterTable& scatter, float neper_per_metre, const MirrorPaths& paths,
                         MirrorPowers& powers);
 

@@ -3,6 +3,7 @@
 #include "echo/mirror/secondary_echo.h"
 
 #include "base/vector_math.h"
+#include "echo/laws/laws.h"
 
 namespace insonify {
 namespace {
@@ -11,7 +12,7 @@ INSONIFY_VECTOR_CLONES
 void absorb(int count, float neper_per_metre, const float* __restrict__ strength, const float* __restrict__ length,
             float* __restrict__ left) {
   for (int i = 0; i < count; ++i) {
-    left[i] = strength[i] * fast_exp(-neper_per_metre * length[i]);
+    left[i] = absorbed(strength[i], neper_per_metre, length[i]);
   }
 }
 

@@ -24,7 +24,27 @@ inline Echo secondary_echo(const PingPlan& plan, int column, int row, float sele
           .surface = surface};
 }
 
-/// S of the strengths of many secondary echoes, in single precision; each strength loses the absorption of the rest of
+/// The two echoes of a path that is not the same both ways.
+struct ReciprocalEchoes {
+  Echo launched;  ///< Arrives from where the ray was launched.
+  Echo arriving;  ///< Arrives from the end of the path.
+};
+
+/// @param echo     secondary_echo() of the path, with its lengths.
+/// @param power    Without patterns.
+/// @param arrival  From the end of the path.
+inline ReciprocalEchoes reciprocal_echoes(const PingPlan& plan, int column, const Echo& echo, float power,
+                                          const PingPlan::Arrival& arrival) {
+  ReciprocalEchoes echoes{echo, echo};
+  const float received = power * arrival.pattern;
+  echoes.launched.power = received * plan.sent_beside(column, arrival);
+  echoes.arriving.power = received * plan.received_beside(column, arrival);
+  echoes.arriving.azimuth = arrival.bearing;
+  echoes.arriving.elevation = arrival.elevation;
+  return echoes;
+}
+
+/// S of the strengths of many secondary echoes; each strength loses the absorption of the rest of
 /// its path first, see paper_strength().
 /// @param strength  Product of the strengths of both surfaces; the first includes the loss of twice its range.
 /// @param rest      Length of the path less twice the range of the first surface [m].

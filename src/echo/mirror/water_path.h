@@ -9,7 +9,6 @@
 
 #include "echo/grid/echo.h"
 #include "echo/model/coherent_share.h"
-#include "echo/model/echo_laws.h"
 #include "insonify/acoustics/backscatter.h"
 #include "insonify/scene.h"
 
@@ -95,19 +94,11 @@ struct WaterPath {
          std::exp(-2 * double{plan.neper_per_metre} * (there + path.length));
 }
 
-/// Weight of a second hit's paths over the water's surface. With `secondary: selective`, one in four hits is selected,
-/// by a hash of the sample, so that all engines and threads select the same.
-/// @return Number of hits that it represents; 0 if it is not selected.
+/// Weight of a second hit's paths over the water's surface: with `secondary: selective` one_in_four(), else 1.
 [[nodiscard]] inline float water_weight(const PingPlan& plan, int column, int row) {
-  constexpr std::uint32_t kOneIn = 4;
-  if (plan.secondary != SecondaryEchoes::kSelective) {
-    return 1;
-  }
-  std::uint32_t hash =
-      static_cast<std::uint32_t>(column) * 0x9e3779b9U + static_cast<std::uint32_t>(row) * 0x85ebca6bU + plan.stagger;
-  hash = (hash ^ (hash >> 16)) * 0x7feb352dU;
-  hash = (hash ^ (hash >> 15)) * 0x846ca68bU;
-  return (hash >> 20) % kOneIn == 0 ? static_cast<float>(kOneIn) : 0.0F;
+  return plan.secondary == SecondaryEchoes::kSelective
+             ? one_in_four(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row), plan.stagger)
+             : 1.0F;
 }
 
 }  // namespace insonify

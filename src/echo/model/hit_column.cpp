@@ -6,22 +6,13 @@
 
 #include "base/vector_math.h"
 #include "echo/grid/surface_run.h"
+#include "echo/laws/laws.h"
 #include "echo/model/left_out.h"
 #include "echo/model/see_through.h"
 #include "echo/model/select_hits.h"
 
 namespace insonify {
 namespace {
-
-// Two neighbours lie on one unbroken surface if the range of each differs from that of the other's tangent plane by at
-// most one bin plus this share of the difference of their ranges. Curved surfaces pass, edges and shadows do not.
-constexpr float kBend = 0.3F;
-
-// Added to the cosine of incidence in a divisor: bounds the range interval at grazing incidence.
-constexpr float kLeastFacing = 0.1F;
-
-// Least cos t on a cone: towards the end of its arc the bearing no longer changes with the direction across it.
-constexpr float kLeastConeCosine = 0.2F;
 
 // Added to divisors that may be zero.
 constexpr float kTiny = 1e-20F;
@@ -80,16 +71,14 @@ void measure(Rows rows, Vec3f along, Vec3f across, Vec3f up, float bins_per_metr
     normal_along[row] = x[row] * ax + y[row] * ay + z[row] * az;
     normal_up[row] = x[row] * ux + y[row] * uy + z[row] * uz;
     facing[row] = normal_along[row] * rows.cos_t[row] + normal_up[row] * rows.sin_t[row];
-    // On the tangent plane d(range)/d(azimuth) = -range (normal . d(direction)/d(azimuth)) / (normal . direction).
-    const float sideways = std::abs(x[row] * sx + y[row] * sy + z[row] * sz) * rows.cos_t[row];
-    reach[row] = bins_per_metre * rows.half_width * range[row] * sideways / (std::abs(facing[row]) + kLeastFacing);
+    const float sideways = sideways_in_wedge(x[row] * sx + y[row] * sy + z[row] * sz, rows.cos_t[row]);
+    reach[row] = footprint_reach(bins_per_metre * rows.half_width, range[row], sideways, facing[row]);
     position[row] = (range[row] - first_bin_at) * bins_per_metre;
   }
 }
 
-// Corrects the results of measure() for cones: adds the part of `facing` along ColumnAxes::beside, and computes `reach`
-// from the change of direction with bearing a at constant elevation, as in a wedge, so that a level seabed has the same
-// range over the whole footprint. With sin(elevation) = cos a sin t, d(direction)/da = across - along tan a / cos t.
+// Corrects the results of measure() for cones: adds the part of `facing` along ColumnAxes::beside, and replaces
+// `reach`.
 INSONIFY_VECTOR_CLONES
 void measure_beside(Rows rows, Vec3f across, Vec3f beside, float tan_bearing, float bins_per_metre,
                     const float* __restrict__ x, const float* __restrict__ y, const float* __restrict__ z,
@@ -100,15 +89,13 @@ void measure_beside(Rows rows, Vec3f across, Vec3f beside, float tan_bearing, fl
   for (int row = 0; row < rows.count; ++row) {
     normal_beside[row] = x[row] * bx + y[row] * by + z[row] * bz;
     facing[row] += normal_beside[row];
-    const float cosine = rows.cos_t[row] > kLeastConeCosine ? rows.cos_t[row] : kLeastConeCosine;
-    const float across_normal = x[row] * sx + y[row] * sy + z[row] * sz;
-    const float sideways = std::abs(across_normal - tan_bearing / cosine * normal_along[row]);
-    reach[row] = bins_per_metre * rows.half_width * range[row] * sideways / (std::abs(facing[row]) + kLeastFacing);
+    const float sideways =
+        sideways_on_cone(x[row] * sx + y[row] * sy + z[row] * sz, normal_along[row], tan_bearing, rows.cos_t[row]);
+    reach[row] = footprint_reach(bins_per_metre * rows.half_width, range[row], sideways, facing[row]);
   }
 }
 
-// Tilts unit normals by the relief. A facet that faces away is in the shadow of its own surface and gives no echo. A
-// ray that is reflected into the surface would hit it again at once, in a trough that the triangles do not have.
+// Replaces unit normals and cosines of incidence by those of bent_surface().
 INSONIFY_VECTOR_CLONES
 void bend(int rows, const float* __restrict__ direction_x, const float* __restrict__ direction_y,
           const float* __restrict__ direction_z, const float* __restrict__ gradient_x,
@@ -116,33 +103,27 @@ void bend(int rows, const float* __restrict__ direction_x, const float* __restri
           float* __restrict__ normal_y, float* __restrict__ normal_z, float* __restrict__ facing,
           float* __restrict__ escapes) {
   for (int row = 0; row < rows; ++row) {
-    const float nx = normal_x[row], ny = normal_y[row], nz = normal_z[row];
-    const float x = nx - gradient_x[row], y = ny - gradient_y[row], z = nz - gradient_z[row];
-    const float scale = 1 / std::sqrt(x * x + y * y + z * z + kTiny);
-    const float bent_x = x * scale, bent_y = y * scale, bent_z = z * scale;
-    const float bent = bent_x * direction_x[row] + bent_y * direction_y[row] + bent_z * direction_z[row];
-    const float flat = facing[row];
-    // Product of the reflected ray and the normal without relief: d . n - 2 (d . b) (b . n).
-    const float reflected = flat - 2 * bent * (bent_x * nx + bent_y * ny + bent_z * nz);
-    escapes[row] = reflected * flat < 0 ? 1.0F : 0.0F;
-    facing[row] = bent * flat > 0 ? bent : 0.0F;
-    normal_x[row] = bent_x;
-    normal_y[row] = bent_y;
-    normal_z[row] = bent_z;
+    const BentSurface bent = bent_surface({direction_x[row], direction_y[row], direction_z[row]},
+                                          {normal_x[row], normal_y[row], normal_z[row]},
+                                          {gradient_x[row], gradient_y[row], gradient_z[row]}, facing[row]);
+    escapes[row] = bent.escapes;
+    facing[row] = bent.facing;
+    normal_x[row] = bent.normal.x;
+    normal_y[row] = bent.normal.y;
+    normal_z[row] = bent.normal.z;
   }
 }
 
-// paper_strength() of primary echoes, in single precision.
+// paper_strength() of primary echoes.
 INSONIFY_VECTOR_CLONES
 void fill_strengths(int rows, float neper_per_metre, const float* __restrict__ range, const float* __restrict__ facing,
                     const float* __restrict__ reflectivity, float* __restrict__ strength) {
   for (int row = 0; row < rows; ++row) {
-    strength[row] = std::abs(facing[row]) * reflectivity[row] * fast_exp(-2 * neper_per_metre * range[row]);
+    strength[row] = paper_strength(facing[row], reflectivity[row], 2 * neper_per_metre, range[row]);
   }
 }
 
-// Decides for each two neighbours whether they lie on one unbroken surface: compares the range of `b` with that of the
-// tangent plane of `a` in the direction of `b`, and the other way round.
+// Decides for each two neighbours whether they lie on one unbroken surface.
 template <BeamShape shape>
 [[gnu::always_inline]] inline void join_rows(Rows rows, float bin_length, const float* __restrict__ range,
                                              const float* __restrict__ along, const float* __restrict__ up,
@@ -151,20 +132,15 @@ template <BeamShape shape>
                                              std::uint8_t* __restrict__ joined) {
   for (int a = 0; a + 1 < rows.count; ++a) {
     const int b = a + 1;
-    const float apart = std::abs(range[a] - range[b]);
-    const float tolerance = bin_length + kBend * apart;
-    // Both sides are multiplied by the cosine of incidence, instead of divided.
     float b_from_a = along[a] * rows.cos_t[b] + up[a] * rows.sin_t[b];
     float a_from_b = along[b] * rows.cos_t[a] + up[b] * rows.sin_t[a];
     if constexpr (shape == BeamShape::kCone) {
       b_from_a += beside[a];
       a_from_b += beside[b];
     }
-    const bool forth = std::abs(range[a] * facing[a] - range[b] * b_from_a) < tolerance * std::abs(b_from_a);
-    const bool back = std::abs(range[b] * facing[b] - range[a] * a_from_b) < tolerance * std::abs(a_from_b);
-    const bool level = apart < bin_length;
     const bool same = surface[a] == surface[b] && surface[a] != kNoSurface;
-    joined[a] = static_cast<std::uint8_t>(same & (level | (forth & back)));
+    joined[a] = static_cast<std::uint8_t>(
+        same & unbroken(range[a], facing[a], b_from_a, range[b], facing[b], a_from_b, bin_length));
   }
 }
 
@@ -182,7 +158,7 @@ void join_on_cone(Rows rows, float bin_length, const float* __restrict__ range, 
   join_rows<BeamShape::kCone>(rows, bin_length, range, along, up, beside, facing, surface, joined);
 }
 
-// The FootprintSegments between neighbours, whether joined or not. Power changes linearly along each.
+// The FootprintSegments between neighbours, whether joined or not.
 INSONIFY_VECTOR_CLONES
 void fill_segments(int rows, float bins, const float* __restrict__ interval, float width,
                    const float* __restrict__ sample_elevation, const float* __restrict__ position,
@@ -191,19 +167,15 @@ void fill_segments(int rows, float bins, const float* __restrict__ interval, flo
                    float* __restrict__ density, float* __restrict__ elevation) {
   for (int a = 0; a + 1 < rows; ++a) {
     const int b = a + 1;
-    const bool rising = position[a] < position[b];
-    const float beyond = 0.5F * (reach[a] + reach[b]) + least_half_length(position[b]);
-    const float near = (rising ? position[a] : position[b]) - beyond;
-    const float far = (rising ? position[b] : position[a]) + beyond;
-    const float per_bin = 1 / (far - near);
-    const float near_power = rising ? sample_power[a] : sample_power[b];
-    const float rise = ((rising ? sample_power[b] : sample_power[a]) - near_power) * per_bin;
-    low[a] = near < 0 ? 0.0F : near < bins ? near : bins;
-    high[a] = far < bins ? far : bins;
-    power[a] = near_power - near * rise;
-    half_rise[a] = 0.5F * rise;
-    density[a] = interval[b] * width * per_bin;
-    elevation[a] = 0.5F * (sample_elevation[a] + sample_elevation[b]);
+    const FootprintSegment segment =
+        segment_between({position[a], reach[a], sample_power[a]}, {position[b], reach[b], sample_power[b]},
+                        interval[b] * width, bins, 0.5F * (sample_elevation[a] + sample_elevation[b]));
+    low[a] = segment.low;
+    high[a] = segment.high;
+    power[a] = segment.power;
+    half_rise[a] = segment.half_rise;
+    density[a] = segment.density;
+    elevation[a] = segment.elevation;
   }
 }
 

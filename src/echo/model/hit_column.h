@@ -119,7 +119,7 @@ void measure_column(const PingPlan& plan, int column, const ColumnAxes& axes, co
                     FootprintSegments& segments);
 
 /// Fills in `power`, and in the `paper` model `strength`: paper_strength() with PaperModel::shape(), or
-/// primary_intensity(), in single precision.
+/// primary_intensity().
 void fill_powers(const PingPlan& plan, const HitColumn& hits);
 
 /// Fills in the segments between neighbours, and `selected`.

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "base/vector_math.h"
-#include "echo/model/echo_laws.h"
+#include "echo/laws/laws.h"
 
 namespace insonify {
 namespace {
@@ -21,24 +21,20 @@ const Value* of(const std::vector<std::vector<Value>>& values, std::uint16_t ins
 // Takes the coherent share of the lobe of facets off the echoes of samples on one material, where glinting[i] is 1. The
 // lobe is that of ScatterTable::fill_powers().
 struct GlintLobe {
-  float lobe, steepness;  // See ScatterTable::Laws.
-  float coherent;         // 1, or 0 with rough mirrors.
-  float roughness;        // Scattering::roughness
+  Scatterer surface;
+  float coherent;   // 1, or 0 with rough mirrors.
+  float roughness;  // Scattering::roughness
   float neper_per_metre;
 };
 INSONIFY_VECTOR_CLONES
 void take_off_lobe(int count, const GlintLobe& of_material, const float* __restrict__ glinting,
                    const float* __restrict__ facing, const float* __restrict__ range, float* __restrict__ power) {
-  constexpr float kNothingLeft = 16;  // e^-16
   const GlintLobe own = of_material;
   for (int i = 0; i < count; ++i) {
-    const float cosine = std::abs(facing[i]);
-    const float held = cosine < kLeastCosine ? kLeastCosine : cosine;
-    const float left = (1 / (held * held) - 1) * own.steepness > kNothingLeft ? 0.0F : glinting[i];
-    const float share = own.coherent * fast_exp(-own.roughness * cosine * cosine);
-    const float spread = fast_exp(-4 * own.neper_per_metre * range[i]) / (range[i] * range[i]);
-    const float rest = power[i] - left * share * facet_lobe(own.lobe, own.steepness, held) / held * spread;
-    power[i] = left > 0 ? (rest < 0 ? 0.0F : rest) : power[i];
+    const float coherence = own.coherent * coherent_share(own.roughness, std::abs(facing[i]));
+    const float rest =
+        without_coherent_glint(power[i], own.surface, coherence, facing[i], own.neper_per_metre, range[i]);
+    power[i] = glinting[i] > 0 ? rest : power[i];
   }
 }
 
@@ -47,9 +43,7 @@ void take_off_lobes(const PingPlan& plan, const std::uint8_t* glinting, int firs
   constexpr int kBlock = 64;
   const ScatterTable::Laws laws = plan.scatter.laws();
   const SurfaceLabel surface = hits.surface[first];
-  const std::uint32_t material = laws.index_of(surface);
-  const GlintLobe own{.lobe = laws.lobe[material],
-                      .steepness = laws.steepness[material],
+  const GlintLobe own{.surface = laws.scatterer(laws.index_of(surface)),
                       .coherent = plan.rough_mirrors ? 0.0F : 1.0F,
                       .roughness = static_cast<float>(plan.scatter.scattering(surface).roughness),
                       .neper_per_metre = plan.neper_per_metre};

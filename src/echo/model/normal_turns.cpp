@@ -8,14 +8,12 @@
 #include <cstdint>
 
 #include "base/vector_math.h"
+#include "echo/laws/laws.h"
 
 namespace insonify {
 namespace {
 
-constexpr float kMostTurn = 0.9F;      // Length of the difference of two unit normals that are 53 degrees apart.
-constexpr float kMostOffPlane = 0.5F;  // Sine of 30 degrees.
-constexpr float kFlat = 1e-5F;         // Differences by rounding are smaller.
-constexpr float kTiniest = 1e-30F;     // Added to divisors that may be zero.
+constexpr float kFlat = 1e-5F;  // Differences by rounding are smaller.
 
 // What is compared of a column.
 struct Samples {
@@ -48,20 +46,17 @@ template <bool kSheared>
       dy -= shear * up_y[i];
       dz -= shear * up_z[i];
     }
-    const float turn = dx * dx + dy * dy + dz * dz;
     const float px = b.range[i] * b.direction_x[i] - a.range[i] * a.direction_x[i];
     const float py = b.range[i] * b.direction_y[i] - a.range[i] * a.direction_y[i];
     const float pz = b.range[i] * b.direction_z[i] - a.range[i] * a.direction_z[i];
-    const float off = a.x[i] * px + a.y[i] * py + a.z[i] * pz;
-    const bool near_plane = off * off <= kMostOffPlane * kMostOffPlane * (px * px + py * py + pz * pz);
     const bool same = (a.surface[i] == b.surface[i]) & (a.surface[i] != kNoSurface);
-    const bool is_joined = same & near_plane & (turn < kMostTurn * kMostTurn);
-    const float both = is_joined ? 1.0F : 0.0F;
-    x[i] = both * dx;
-    y[i] = both * dy;
-    z[i] = both * dz;
-    joined[i] = both;
-    const std::int32_t bits = std::bit_cast<std::int32_t>(turn) & -static_cast<std::int32_t>(is_joined);
+    const NormalChange change = normal_change(same, {dx, dy, dz}, {a.x[i], a.y[i], a.z[i]}, {px, py, pz});
+    x[i] = change.turn.x;
+    y[i] = change.turn.y;
+    z[i] = change.turn.z;
+    joined[i] = change.joined;
+    const std::int32_t bits =
+        std::bit_cast<std::int32_t>(change.squared) & -static_cast<std::int32_t>(change.joined > 0);
     most = bits > most ? bits : most;
   }
   return std::bit_cast<float>(most);
@@ -80,8 +75,7 @@ float subtract_columns(int rows, const Samples& a, const Samples& b, float shear
   return subtract<true>(rows, a, b, shear, up_x, up_y, up_z, x, y, z, joined);
 }
 
-// Mean of the differences `a` and `b` to the neighbours on either side, or that of the side which is joined. Where they
-// differ much the mean decreases to 0, which it is where the surface is flat on one side.
+// mean_turn() of the differences `a` and `b`.
 // @tparam kBeyond  `b` lies beyond `a` on the same side, and counts only where `a` is joined.
 template <bool kBeyond>
 [[gnu::always_inline]] inline void average(int rows, const float* ax, const float* ay, const float* az,
@@ -90,18 +84,11 @@ template <bool kBeyond>
                                            float* __restrict__ z) {
   for (int i = 0; i < rows; ++i) {
     const float seen = kBeyond ? a_joined[i] : 1.0F;
-    const float no_a = 1 - a_joined[i], no_b = 1 - seen * b_joined[i];
-    const float b_x = seen * bx[i], b_y = seen * by[i], b_z = seen * bz[i];
-    const float one_x = ax[i] + no_a * b_x, two_x = b_x + no_b * ax[i];
-    const float one_y = ay[i] + no_a * b_y, two_y = b_y + no_b * ay[i];
-    const float one_z = az[i] + no_a * b_z, two_z = b_z + no_b * az[i];
-    const float product = one_x * two_x + one_y * two_y + one_z * two_z;
-    const float squares = one_x * one_x + one_y * one_y + one_z * one_z + two_x * two_x + two_y * two_y + two_z * two_z;
-    const float alike = 4 * product / (squares + kTiniest);
-    const float half = 0.5F * (alike < 0 ? 0.0F : alike < 1 ? alike : 1.0F);
-    x[i] = half * (one_x + two_x);
-    y[i] = half * (one_y + two_y);
-    z[i] = half * (one_z + two_z);
+    const Triple mean =
+        mean_turn({ax[i], ay[i], az[i]}, a_joined[i], seen * Triple{bx[i], by[i], bz[i]}, seen * b_joined[i]);
+    x[i] = mean.x;
+    y[i] = mean.y;
+    z[i] = mean.z;
   }
 }
 
@@ -119,23 +106,23 @@ void average_beyond(int rows, const float* ax, const float* ay, const float* az,
   average<true>(rows, ax, ay, az, a_joined, bx, by, bz, b_joined, x, y, z);
 }
 
-// The turn across of samples that have no neighbour on their surface on either side: that of a sphere, on which the
-// normal n turns as much across as along a column, n x u for equal spacing; lobes do not depend on its sign.
+// Adds turn_as_along().
 // @param width       Of a column [rad].
 // @param elevations  Of the rows [rad].
 INSONIFY_VECTOR_CLONES
-void turn_as_along(int rows, float width, const float* __restrict__ elevations, const float* __restrict__ cosines,
-                   const float* __restrict__ a_joined, const float* __restrict__ b_joined, const float* __restrict__ nx,
-                   const float* __restrict__ ny, const float* __restrict__ nz, const float* __restrict__ ux,
-                   const float* __restrict__ uy, const float* __restrict__ uz, float* __restrict__ x,
-                   float* __restrict__ y, float* __restrict__ z) {
+void add_turns_as_along(int rows, float width, const float* __restrict__ elevations, const float* __restrict__ cosines,
+                        const float* __restrict__ a_joined, const float* __restrict__ b_joined,
+                        const float* __restrict__ nx, const float* __restrict__ ny, const float* __restrict__ nz,
+                        const float* __restrict__ ux, const float* __restrict__ uy, const float* __restrict__ uz,
+                        float* __restrict__ x, float* __restrict__ y, float* __restrict__ z) {
   for (int i = 0; i < rows; ++i) {
     const int next = i + 1 < rows ? i + 1 : i - 1;
     const float height = std::abs(elevations[next] - elevations[i]);
-    const float alone = (1 - a_joined[i]) * (1 - b_joined[i]) * width * cosines[i] / (height + kTiniest);
-    x[i] += alone * (ny[i] * uz[i] - nz[i] * uy[i]);
-    y[i] += alone * (nz[i] * ux[i] - nx[i] * uz[i]);
-    z[i] += alone * (nx[i] * uy[i] - ny[i] * ux[i]);
+    const Triple turn = turn_as_along({nx[i], ny[i], nz[i]}, {ux[i], uy[i], uz[i]}, a_joined[i], b_joined[i], width,
+                                      cosines[i], height);
+    x[i] += turn.x;
+    y[i] += turn.y;
+    z[i] += turn.z;
   }
 }
 
@@ -202,10 +189,10 @@ void NormalTurns::find(const PingPlan& plan, int first, std::span<HitColumn> str
     const auto mean = at_edge ? average_beyond : average_between;
     mean(rows, a.x, a.y, a.z, a.joined, b.x, b.y, b.z, b.joined, hits.turn_side_x, hits.turn_side_y, hits.turn_side_z);
     const int column = first + i;
-    turn_as_along(rows, plan.lattice.column_width[column], plan.lattice.elevations(column),
-                  plan.lattice.cosines(column), a.joined, at_edge ? a.joined : b.joined, hits.normal_x, hits.normal_y,
-                  hits.normal_z, hits.turn_up_x, hits.turn_up_y, hits.turn_up_z, hits.turn_side_x, hits.turn_side_y,
-                  hits.turn_side_z);
+    add_turns_as_along(rows, plan.lattice.column_width[column], plan.lattice.elevations(column),
+                       plan.lattice.cosines(column), a.joined, at_edge ? a.joined : b.joined, hits.normal_x,
+                       hits.normal_y, hits.normal_z, hits.turn_up_x, hits.turn_up_y, hits.turn_up_z, hits.turn_side_x,
+                       hits.turn_side_y, hits.turn_side_z);
   }
 }
 

@@ -6,14 +6,15 @@
 #include <cmath>
 
 #include "base/vector_math.h"
+#include "echo/laws/laws.h"
 
 namespace insonify {
 namespace {
 
-Logistic<double> logistic_of(const PaperModel& model) {
+precise::Logistic logistic_of(const PaperModel& model) {
   if (model.sigmoid == Sigmoid::kAuthors) {
     // 0.5 tanh(9 (x - 2/3)) + 0.5, as the authors' code has it, is the logistic of twice the slope.
-    return {.slope = 18, .midpoint = 2.0 / 3.0};
+    return {.slope = 18, .midpoint = 2.0 / 3.0, .scale = 1, .offset = 0};
   }
   const double slope = model.sigmoid_slope, midpoint = model.sigmoid_midpoint;
   const double at_zero = 1 / (1 + std::exp(-slope * (0 - midpoint)));
@@ -24,11 +25,10 @@ Logistic<double> logistic_of(const PaperModel& model) {
 // Every value depends on its own strength alone, so that the loop may be vectorised even where both arrays are the
 // same.
 INSONIFY_VECTOR_CLONES
-void apply_logistic(int count, Logistic<float> terms, const float* strength, float* power) {
+void apply_logistic(int count, Logistic terms, const float* strength, float* power) {
 #pragma GCC ivdep
   for (int i = 0; i < count; ++i) {
-    const float shaped = terms.scale / (1 + fast_exp(-terms.slope * (strength[i] - terms.midpoint))) + terms.offset;
-    power[i] = shaped > 0 ? shaped : 0.0F;
+    power[i] = logistic(terms, strength[i]);
   }
 }
 
@@ -38,12 +38,11 @@ double PaperModel::shape(double strength) const {
   if (sigmoid == Sigmoid::kNone) {
     return strength;
   }
-  const Logistic<double> terms = logistic_of(*this);
-  return std::max(0.0, terms.scale / (1 + std::exp(-terms.slope * (strength - terms.midpoint))) + terms.offset);
+  return precise::logistic(logistic_of(*this), strength);
 }
 
 PaperShape::PaperShape(const PaperModel& model) : model_(model) {
-  const Logistic<double> terms = logistic_of(model);
+  const precise::Logistic terms = logistic_of(model);
   logistic_ = {static_cast<float>(terms.slope), static_cast<float>(terms.midpoint), static_cast<float>(terms.scale),
                static_cast<float>(terms.offset)};
 }

@@ -2,15 +2,10 @@
 
 #pragma once
 
+#include "echo/laws/laws.h"
 #include "insonify/paper_model.h"
 
 namespace insonify {
-
-/// S(x) = scale / (1 + e^(-slope (x - midpoint))) + offset, at least 0.
-template <typename Real>
-struct Logistic {
-  Real slope = 1, midpoint = 0, scale = 1, offset = 0;
-};
 
 /// PaperModel::shape() in single precision, with precomputed constants.
 class PaperShape {
@@ -25,7 +20,7 @@ class PaperShape {
 
  private:
   PaperModel model_;
-  Logistic<float> logistic_;
+  Logistic logistic_;
 };
 
 }  // namespace insonify

@@ -7,9 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "echo/model/mirror_facet.h"
+#include "echo/laws/laws.h"
 #include "echo/model/paper_shape.h"
-#include "echo/model/path_footprint.h"
 #include "echo/model/scatter_table.h"
 #include "insonify/array_pattern.h"
 #include "insonify/engine.h"

@@ -4,10 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/vector_math.h"
-#include "echo/model/echo_laws.h"
+#include "echo/laws/laws.h"
 #include "echo/model/hit_column.h"
 
 namespace insonify {
@@ -27,21 +26,16 @@ void look_up_rows(int rows, const float* by_angle, std::uint32_t stride, std::ui
   }
 }
 
-// Where the cosine of incidence is below kLeastCosine, the lobe is computed at kLeastCosine: nothing is left of it
-// there. If `on_top`, `power` holds what an AngularScattering adds to both laws.
+// If `on_top`, `power` holds what an AngularScattering adds to both laws.
 template <bool on_top>
 [[gnu::always_inline]] inline void scatter_rows(int rows, const ScatterTable::Laws& laws, float neper_per_metre,
                                                 const SurfaceLabel* __restrict__ surface,
                                                 const float* __restrict__ facing, const float* __restrict__ range,
                                                 float* __restrict__ power) {
   for (int row = 0; row < rows; ++row) {
-    const std::uint32_t material = laws.index_of(surface[row]);
-    const float cosine = std::abs(facing[row]);
-    const float held = cosine < kLeastCosine ? kLeastCosine : cosine;
-    const float glint = facet_lobe(laws.lobe[material], laws.steepness[material], held) / held;
-    const float spread = fast_exp(-4 * neper_per_metre * range[row]) / (range[row] * range[row]);
-    const float scattered = laws.lambert[material] * cosine + glint + (on_top ? power[row] : 0.0F);
-    power[row] = (range[row] > 0) & (cosine > 0) ? scattered * spread : 0.0F;
+    const Scatterer own = laws.scatterer(laws.index_of(surface[row]));
+    power[row] = primary_intensity(own.lambert, glint_of(own, facing[row]), on_top ? power[row] : 0.0F, facing[row],
+                                   neper_per_metre, range[row]);
   }
 }
 
@@ -56,23 +50,12 @@ template <bool on_top>
   const float *const ux = hits.turn_up_x, *const uy = hits.turn_up_y, *const uz = hits.turn_up_z;
   const float *const vx = hits.turn_side_x, *const vy = hits.turn_side_y, *const vz = hits.turn_side_z;
   for (int row = 0; row < rows; ++row) {
-    const std::uint32_t material = laws.index_of(surface[row]);
-    const TurnProducts<float> turns = {
-        ux[row] * ux[row] + uy[row] * uy[row] + uz[row] * uz[row],
-        vx[row] * vx[row] + vy[row] * vy[row] + vz[row] * vz[row],
-        ux[row] * vx[row] + uy[row] * vy[row] + uz[row] * vz[row],
-        ux[row] * dx[row] + uy[row] * dy[row] + uz[row] * dz[row],
-        vx[row] * dx[row] + vy[row] * dy[row] + vz[row] * dz[row],
-        ux[row] * nx[row] + uy[row] * ny[row] + uz[row] * nz[row],
-        vx[row] * nx[row] + vy[row] * ny[row] + vz[row] * nz[row],
-    };
-    const LobeWidening<float> widening = widen_lobe(turns, facing[row], laws.steepness[material]);
-    const float cosine = std::abs(facing[row]);
-    const float held = cosine < kLeastCosine ? kLeastCosine : cosine;
-    const float glint = widened_lobe(laws.lobe[material], laws.steepness[material], held, widening);
-    const float spread = fast_exp(-4 * neper_per_metre * range[row]) / (range[row] * range[row]);
-    const float scattered = laws.lambert[material] * cosine + glint + (on_top ? power[row] : 0.0F);
-    power[row] = (range[row] > 0) & (cosine > 0) ? scattered * spread : 0.0F;
+    const Scatterer own = laws.scatterer(laws.index_of(surface[row]));
+    const TurnProducts turns = turn_products({ux[row], uy[row], uz[row]}, {vx[row], vy[row], vz[row]},
+                                             {dx[row], dy[row], dz[row]}, {nx[row], ny[row], nz[row]});
+    const float glint = widened_glint_of(own, facing[row], widen_lobe(turns, facing[row], own.steepness));
+    power[row] =
+        primary_intensity(own.lambert, glint, on_top ? power[row] : 0.0F, facing[row], neper_per_metre, range[row]);
   }
 }
 
@@ -123,15 +106,15 @@ ScatterTable::ScatterTable(std::span<const Material> materials, double frequency
   for (const Material& material : materials) {
     Scattering scattering = material.scattering(frequency);
     scattering.facets_mirror |= facets_mirror;
-    const double variance = scattering.rms_slope * scattering.rms_slope;
-    const double intensity = scattering.reflection * scattering.reflection;
-    mirrored_.push_back(static_cast<float>(intensity));
-    lambert_.push_back(static_cast<float>(scattering.lambert));
-    lobe_.push_back(static_cast<float>(intensity / (8 * std::numbers::pi * variance)));
-    steepness_.push_back(static_cast<float>(1 / (2 * variance)));
+    const precise::Scatterer terms =
+        precise::scatterer(scattering.lambert, scattering.reflection, scattering.rms_slope);
+    mirrored_.push_back(static_cast<float>(scattering.reflection * scattering.reflection));
+    lambert_.push_back(static_cast<float>(terms.lambert));
+    lobe_.push_back(static_cast<float>(terms.lobe));
+    steepness_.push_back(static_cast<float>(terms.steepness));
     roughness_.push_back(scattering.facets_mirror ? static_cast<float>(scattering.roughness) : 0.0F);
     any_rough_ |= roughness_.back() > 0;
-    facets_.push_back(static_cast<float>(1 / (8 * std::numbers::pi * variance)));
+    facets_.push_back(static_cast<float>(precise::scatterer(0, 1, scattering.rms_slope).lobe));
     scattering_.push_back(std::move(scattering));
   }
   nothing_ = static_cast<std::uint32_t>(scattering_.size());

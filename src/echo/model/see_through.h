@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include "echo/laws/laws.h"
 #include "echo/model/hit_column.h"
 
 namespace insonify {
@@ -9,17 +10,7 @@ namespace insonify {
 /// Most surfaces that sound passes through on the way to an echo.
 inline constexpr int kMostPassed = 8;
 
-/// Smallest two-way transmission with which rays are continued behind a surface: -50 dB.
-inline constexpr float kLeastPassed = 1e-5F;
-
-/// Two-way transmission up to behind a surface: `reached` times |T|^4, or 0 below kLeastPassed.
-/// @param reached        Two-way transmission up to the surface, 0..1.
-/// @param transmittance  |T|^2
-template <typename Value>
-[[gnu::always_inline]] inline Value passed_on(Value reached, Value transmittance) {
-  const Value passed = reached * transmittance * transmittance;
-  return passed < Value{kLeastPassed} ? Value{0} : passed;
-}
+using precise::passed_on;  // Beside that for floats.
 
 /// Fills in `passed` of a column, after `facing`, if any material transmits sound. For first hits (`passing` false) it
 /// also sets `reached` to 1, and `passing` if sound passes any of them.

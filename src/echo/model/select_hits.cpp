@@ -6,20 +6,14 @@
 #include <cmath>
 
 #include "base/vector_math.h"
+#include "echo/laws/laws.h"
 
 namespace insonify {
 namespace {
 
-// Probability of a hit in the `paper` model: the square root of |facing| x reflectivity / kFullProbability, within
-// limits. Fitted to scenes in which half the rays of `all` give the same picture within its own sampling error
-// (docs/concepts/paper-model.md).
-constexpr float kFullProbability = 0.33F;
-
-// The same in the `calibrated` model, see share_out_energy(). Chosen by `insonify bench sampling` (bench/README.md).
+// The energy, in units of that reflected by a mirror from the greatest solid angle of a column, at which every hit of
+// the `calibrated` model would be selected. Chosen by `insonify bench sampling` (bench/README.md).
 constexpr float kFullEnergy = 2;
-constexpr float kNoMirror = 1e-4F;  // Hits that reflect less are not followed.
-
-constexpr float kLeastShare = 1.0F / 16, kMostShare = 0.498F;
 
 // From one column to the next the start of the sum advances by the golden section, so that neighbours differ most.
 constexpr std::uint32_t kGoldenTurn = 2654435769U;
@@ -28,31 +22,22 @@ constexpr std::uint32_t kGoldenTurn = 2654435769U;
 // above.
 constexpr int kSelectionRows = 64;
 
-// A probability in units of 2^-32. Below one half, so that a signed integer does not overflow.
-[[gnu::always_inline]] inline std::uint32_t turn_of(float share) {
-  constexpr float kTurn = 4294967296.0F;
-  static_assert(kMostShare < 0.5F);
-  return static_cast<std::uint32_t>(static_cast<std::int32_t>(share * kTurn));
-}
-
 // Probability of each hit, as a float and in units of 2^-32; 0 where nothing was hit.
 INSONIFY_VECTOR_CLONES
 void share_out(int rows, const float* __restrict__ range, const float* __restrict__ facing,
                const float* __restrict__ reflectivity, float* __restrict__ share, std::uint32_t* __restrict__ turn) {
   for (int row = 0; row < rows; ++row) {
-    const float wish = std::sqrt(std::abs(facing[row]) * reflectivity[row] * (1 / kFullProbability));
-    const float limited = wish < kLeastShare ? kLeastShare : wish > kMostShare ? kMostShare : wish;
-    share[row] = range[row] > 0 ? limited : 0.0F;
-    turn[row] = turn_of(share[row]);
+    const float own = paper_share(facing[row], reflectivity[row]);
+    share[row] = range[row] > 0 ? own : 0.0F;
+    turn[row] = share_in_turns(share[row]);
   }
 }
 
-// Replaces probabilities by weights: 1/p where the sum passed a whole number, that is, wrapped around; else 0.
+// Replaces probabilities by weights.
 INSONIFY_VECTOR_CLONES
 void select(int rows, const std::uint32_t* __restrict__ turned, float* __restrict__ share_to_selected) {
   for (int row = 0; row < rows; ++row) {
-    const float share = share_to_selected[row];
-    share_to_selected[row] = turned[row] < turn_of(share) ? 1 / share : 0.0F;
+    share_to_selected[row] = selected_weight(share_to_selected[row], turned[row]);
   }
 }
 
@@ -61,11 +46,8 @@ INSONIFY_VECTOR_CLONES
 void share_out_reflectance(int rows, const float* __restrict__ sent, float scale, float* __restrict__ reflectance,
                            std::uint32_t* __restrict__ turn) {
   for (int row = 0; row < rows; ++row) {
-    const float energy = reflectance[row];
-    const float wish = std::sqrt(energy * sent[row] * scale);
-    const float limited = wish < kLeastShare ? kLeastShare : wish > kMostShare ? kMostShare : wish;
-    reflectance[row] = energy > kNoMirror ? limited : 0.0F;
-    turn[row] = turn_of(reflectance[row]);
+    reflectance[row] = calibrated_share(reflectance[row], sent[row], scale);
+    turn[row] = share_in_turns(reflectance[row]);
   }
 }
 

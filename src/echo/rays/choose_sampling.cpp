@@ -6,9 +6,9 @@
 #include <bit>
 #include <cmath>
 
+#include "echo/laws/laws.h"
 #include "echo/model/hit_column.h"
 #include "echo/model/ray_limits.h"
-#include "echo/rays/reflected_reach.h"
 
 namespace insonify {
 namespace {

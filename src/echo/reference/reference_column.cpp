@@ -79,22 +79,17 @@ void ReferenceColumn::store_hit(int row) {
   hits_.direction_z[row] = direction.z();
 }
 
-// scattering.md, "Curved surfaces": the share sqrt(s^4 / det S) and the sine s sqrt(w' S^-1 w), from the matrix.
-LobeWidening<double> ReferenceColumn::widening(int row) const {
+// scattering.md, "Curved surfaces".
+precise::LobeWidening ReferenceColumn::widening(int row) const {
   if (!hits_.curved) {
-    return {};
+    return {1, 0};
   }
+  const precise::Triple up = {hits_.turn_up_x[row], hits_.turn_up_y[row], hits_.turn_up_z[row]};
+  const precise::Triple side = {hits_.turn_side_x[row], hits_.turn_side_y[row], hits_.turn_side_z[row]};
   const Vec3 ray = rays_[row].direction, normal = hits_.has_relief ? first_[row].bent : first_[row].normal;
-  const Vec3 up = Vec3f(hits_.turn_up_x[row], hits_.turn_up_y[row], hits_.turn_up_z[row]).cast<double>();
-  const Vec3 side = Vec3f(hits_.turn_side_x[row], hits_.turn_side_y[row], hits_.turn_side_z[row]).cast<double>();
-  const Vec3 one = ray.unitOrthogonal(), two = ray.cross(one);
-  const auto across = [&](const Vec3& v) { return Eigen::Vector2d(v.dot(one), v.dot(two)); };
-  const Eigen::Vector2d u = across(up), v = across(side), w = across(normal);
-  const double variance = std::pow(plan_.scatter.scattering(hits_.surface[row]).rms_slope, 2);
-  const Eigen::Matrix2d covariance =
-      variance * Eigen::Matrix2d::Identity() + double{kFootprintVariance} * (u * u.transpose() + v * v.transpose());
-  const double sine_square = variance * w.dot(covariance.inverse() * w);
-  return {.share = variance * variance / covariance.determinant(), .spared = w.dot(w) - sine_square};
+  return precise::widen_lobe(precise::turn_products(up, side, precise::triple_of(ray), precise::triple_of(normal)),
+                             normal.dot(ray),
+                             precise::scatterer_of(plan_.scatter.scattering(hits_.surface[row])).steepness);
 }
 
 // What each row's echo adds to the grid per unit of solid angle: docs/concepts/calibrated-model.md, "An echo", and
@@ -106,12 +101,12 @@ void ReferenceColumn::compute_powers() {
       hits_.strength[row] = hits_.power[row] = 0;
     } else if (plan_.model == EchoModel::kCalibrated) {
       const double texture = hits_.has_relief ? first_[row].texture : 1.0F;
-      hits_.power[row] =
-          static_cast<float>(primary_intensity(plan_.scatter.scattering(hits_.surface[row]), hits_.facing[row], texture,
-                                               gamma, first_[row].distance, widening(row)));
+      hits_.power[row] = static_cast<float>(precise::primary_intensity_of(plan_.scatter.scattering(hits_.surface[row]),
+                                                                          hits_.facing[row], texture, gamma,
+                                                                          first_[row].distance, widening(row)));
     } else {
       const double strength =
-          paper_strength(hits_.facing[row], first_[row].reflectivity, gamma, 2 * first_[row].distance);
+          precise::paper_strength(hits_.facing[row], first_[row].reflectivity, gamma, 2 * first_[row].distance);
       hits_.strength[row] = static_cast<float>(strength);
       hits_.power[row] = static_cast<float>(plan_.shape.model().shape(strength));
     }

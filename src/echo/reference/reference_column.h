@@ -7,13 +7,11 @@
 
 #include "base/parallel.h"
 #include "echo/grid/echo.h"
-#include "echo/mirror/facet_return.h"
 #include "echo/model/deposit.h"
-#include "echo/model/echo_laws.h"
 #include "echo/model/left_out.h"
-#include "echo/model/path_footprint.h"
 #include "echo/model/secondary_sampling.h"
 #include "echo/model/see_through.h"
+#include "echo/reference/precise_echoes.h"
 #include "echo/reference/triangle_scene.h"
 #include "insonify/engine.h"
 
@@ -62,7 +60,6 @@ class ReferenceColumn {
   struct Reflection {
     int row = 0;                // Row of the hit on the mirror.
     float share = 1;            // See MirrorPath.
-    float returned = 1;         // The same.
     Ray ray = {};               // The reflected ray.
     RayHit second = {};         // Its hit on the second surface.
     Vec3 point = Vec3::Zero();  // World position of that hit [m].
@@ -70,20 +67,19 @@ class ReferenceColumn {
     float there = 0;            // Length out and across [m].
     float path_length = 0;      // Length out, across and straight back [m].
     PathFootprint footprint = {};
-    std::optional<FacetReturn> facets = {};  // How the mirror's facets return sound; empty where no mirror has any.
+    FaceEdges edges = {};  // `calibrated`: of the mirror.
   };
 
   [[nodiscard]] Ray ray_of(int column, int row) const;
   void store_hit(int row);
-  [[nodiscard]] LobeWidening<double> widening(int row) const;
+  [[nodiscard]] precise::LobeWidening widening(int row) const;
   void compute_powers();
   [[nodiscard]] MirrorChange change_along(int row) const;
   [[nodiscard]] MirrorChange change_across(int row) const;
   [[nodiscard]] std::optional<Reflection> reflect(int row);
-  void return_over(const FaceEdges& edges, int row, Reflection& path) const;
   [[nodiscard]] bool return_leg_is_clear(const Reflection& path);
   void deposit_paper_echo(const Reflection& path, EchoGrid& grid);
-  [[nodiscard]] MirrorIntensities intensities(const Reflection& path) const;
+  [[nodiscard]] precise::MirrorIntensities intensities(const Reflection& path) const;
   void deposit_echoes_by_water(const Reflection& path, EchoGrid& grid, std::vector<Echo>& arrivals);
   void deposit_mirror_echoes(const Reflection& path, EchoGrid& grid, std::vector<Echo>& arrivals);
 

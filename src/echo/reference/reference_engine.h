@@ -11,7 +11,7 @@
 
 namespace insonify {
 
-/// Slow and simple: no ray-tracing library, scattering laws from echo/model/echo_laws.h.
+/// Slow and simple: no ray-tracing library, the laws of echo/laws in double precision.
 class ReferenceEngine final : public Engine {
  public:
   explicit ReferenceEngine(Workers& workers) : workers_(workers) {}

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "echo/mirror/face_return.h"
+#include "echo/laws/laws.h"
 #include "echo/mirror/secondary_echo.h"
-#include "echo/model/mirror_facet.h"
 #include "echo/model/ray_limits.h"
 #include "echo/reference/reference_column.h"
 
@@ -13,11 +12,11 @@ namespace insonify {
 namespace {
 
 Triple triple(const Vec3& v) {
-  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+  return triple_of(v.cast<float>());
 }
 
 MirrorSample mirror_sample(const Ray& ray, const RayHit& hit) {
-  return MirrorSample::of(triple(ray.direction), triple(hit.bent), static_cast<float>(hit.distance));
+  return mirror_sample(triple(ray.direction), triple(hit.bent), static_cast<float>(hit.distance));
 }
 
 }  // namespace
@@ -51,9 +50,9 @@ std::optional<ReferenceColumn::Reflection> ReferenceColumn::reflect(int row) {
   Vec3 normal = first_[row].bent;
   float share = 1;
   const FacetSlopes slopes =
-      FacetSlopes::of(static_cast<std::uint32_t>(column_), static_cast<std::uint32_t>(row), plan_.stagger);
+      facet_slopes(static_cast<std::uint32_t>(column_), static_cast<std::uint32_t>(row), plan_.stagger);
   const float slope = plan_.has_facets()
-                          ? facet_slope(1 / std::sqrt(2 * plan_.scatter.steepness(hits_.surface[row])),
+                          ? facet_slope(slope_of(plan_.scatter.steepness(hits_.surface[row])),
                                         plan_.mirror_roughness(hits_.surface[row]), hits_.facing[row], slopes.pick)
                           : 0;
   const Vec3 point = rays_[row].origin + rays_[row].direction * first_[row].distance;
@@ -64,9 +63,8 @@ std::optional<ReferenceColumn::Reflection> ReferenceColumn::reflect(int row) {
   const FaceTilt diffraction = FaceTilt::of(edges, static_cast<std::uint32_t>(column_), static_cast<std::uint32_t>(row),
                                             plan_.stagger, plan_.wavelength(), hits_.facing[row]);
   if (slope > 0 || edges.finite) {
-    const MirrorFacet facet =
-        mirror_facet(triple(rays_[row].direction), triple(normal), triple(first_[row].gradient.cast<double>()), slope,
-                     slopes, diffraction.tilt);
+    const MirrorFacet facet = mirror_facet(triple(rays_[row].direction), triple(normal),
+                                           triple_of(first_[row].gradient), slope, slopes, diffraction.tilt);
     normal = Vec3(facet.normal.x, facet.normal.y, facet.normal.z).normalized();
     share = facet.share;
     if (share == 0) {
@@ -74,7 +72,7 @@ std::optional<ReferenceColumn::Reflection> ReferenceColumn::reflect(int row) {
     }
   }
   const Vec3 direction = rays_[row].direction - 2 * rays_[row].direction.dot(normal) * normal;
-  Reflection path{.row = row, .share = share};
+  Reflection path{.row = row, .share = share, .edges = edges};
   path.ray = {point, direction.normalized(), kRayClearance, plan_.reach()};
   path.second = scene_.nearest(path.ray);
   ++counts_.secondary;
@@ -84,43 +82,12 @@ std::optional<ReferenceColumn::Reflection> ReferenceColumn::reflect(int row) {
   path.point = path.ray.origin + path.ray.direction * path.second.distance;
   path.back = world_from_sonar_.position - path.point;
   path.there = static_cast<float>(first_[row].distance + path.second.distance);
-  if (plan_.model == EchoModel::kCalibrated) {
-    return_over(edges, row, path);
-  }
   path.path_length = static_cast<float>(first_[row].distance + path.second.distance + path.back.norm());
   path.footprint =
       path_footprint(change_along(row), hits_.selected[row], change_across(row),
                      {static_cast<float>(path.second.distance), triple(path.ray.direction), triple(path.second.bent),
                       triple(-path.back.normalized()), path.there, static_cast<float>(path.back.norm())});
   return path;
-}
-
-// multipath.md, "Mirrors of finite size" and "Rough mirrors": how the sound returns over the mirror.
-void ReferenceColumn::return_over(const FaceEdges& edges, int row, Reflection& path) const {
-  const Triple direction = triple(rays_[row].direction), normal = triple(first_[row].bent),
-               half = triple(path.ray.direction) - direction;
-  const float cosine = std::abs(hits_.facing[row]);
-  const float slope = 1 / std::sqrt(2 * plan_.scatter.steepness(hits_.surface[row]));
-  const auto side = [&](int axis) {
-    const Triple& along = edges.axes[axis];
-    return face_side(edges.low[axis], edges.high[axis], half.dot(along) / std::abs(half.dot(normal)),
-                     direction.dot(along), cosine, slope);
-  };
-  const FaceSide first = side(0), second = side(1);
-  const double near = first_[row].distance, across = path.second.distance;
-  const auto rho = static_cast<float>(near * across / (near + across));
-  const float coherent = fast_exp(-plan_.mirror_roughness(hits_.surface[row]) * cosine * cosine);
-  path.returned = edges.finite ? face_return(first, second, coherent, rho, plan_.wavelength()) : 1;
-  if (plan_.has_facets()) {
-    const RoughMirror mirror{slope,
-                             coherent,
-                             cosine,
-                             static_cast<float>(near),
-                             static_cast<float>(across),
-                             edges.finite ? held_on_face(first, second, rho) : 1};
-    path.facets = facet_return(mirror, triple(path.ray.direction), direction - 2 * direction.dot(normal) * normal,
-                               triple(path.second.bent));
-  }
 }
 
 // Whether the straight path from the second surface to the sonar is unobstructed.
@@ -137,8 +104,8 @@ void ReferenceColumn::deposit_paper_echo(const Reflection& path, EchoGrid& grid)
   }
   const double rest = double{path.path_length} - 2 * first_[path.row].distance;
   const double strength =
-      double{hits_.strength[path.row]} *
-      paper_strength(path.second.bent.dot(path.ray.direction), path.second.reflectivity, plan_.neper_per_metre, rest);
+      double{hits_.strength[path.row]} * precise::paper_strength(path.second.bent.dot(path.ray.direction),
+                                                                 path.second.reflectivity, plan_.neper_per_metre, rest);
   Echo echo =
       secondary_echo(plan_, column_, path.row, hits_.selected[path.row], path.path_length, path.second.surface());
   echo.half_length = path.footprint.once;
@@ -146,32 +113,39 @@ void ReferenceColumn::deposit_paper_echo(const Reflection& path, EchoGrid& grid)
   deposit(plan_, echo, grid);
 }
 
-// multipath.md, "Three echoes": the intensities dI_1 and dI_2.
-MirrorIntensities ReferenceColumn::intensities(const Reflection& path) const {
+// multipath.md, "Three echoes", "Mirrors of finite size" and "Rough mirrors": the intensities dI_1 and dI_2.
+precise::MirrorIntensities ReferenceColumn::intensities(const Reflection& path) const {
   const RayHit& mirror = first_[path.row];
-  const Vec3 in = -path.ray.direction, out = path.back.normalized();
-  const double across = path.second.distance, there = mirror.distance + across;
-  const RayTube tube = scene_.tube(mirror, rays_[path.row].direction);
-  const double tube_area =
-      std::abs(double{tube.constant} + across * (double{tube.linear} + across * double{tube.quadratic}));
-  return mirror_intensities({.mirror = plan_.scatter.scattering(mirror.surface()),
-                             .second = plan_.scatter.scattering(path.second.surface()),
-                             .incidence = mirror.bent.dot(rays_[path.row].direction),
-                             .mirror_texture = mirror.texture,
-                             .second_texture = path.second.texture,
-                             .share = path.share,
-                             .there = there,
-                             .back = path.back.norm(),
-                             .spread = tube_area / (there * there),
-                             .returned = path.returned,
-                             .in = path.second.bent.dot(in),
-                             .out = path.second.bent.dot(out),
-                             .half = path.second.bent.dot((in + out).normalized()),
-                             .glint = path.facets ? std::optional<double>(path.facets->half) : std::nullopt,
-                             .variance = path.facets ? path.facets->variance : 0,
-                             .coherent = path.facets ? path.facets->coherent : 1,
-                             .facet = in.dot((in + out).normalized())},
-                            plan_.neper_per_metre);
+  const Scattering& reflecting = plan_.scatter.scattering(mirror.surface());
+  const precise::Triple direction = precise::triple_of(rays_[path.row].direction),
+                        normal = precise::triple_of(mirror.bent), on = precise::triple_of(path.ray.direction),
+                        second = precise::triple_of(path.second.bent);
+  const double across = path.second.distance, there = mirror.distance + across, rho = mirror.distance * across / there;
+  const double cosine = std::abs(precise::dot(direction, normal)), slope = reflecting.rms_slope;
+  const double coherence = precise::coherent_share(plan_.mirror_roughness(mirror.surface()), cosine);
+  const FaceEdges& edges = path.edges;
+  const auto side = [&](int axis) {
+    const precise::Triple along = {edges.axes[axis].x, edges.axes[axis].y, edges.axes[axis].z};
+    return precise::face_side_of_ray(edges.low[axis], edges.high[axis], along, direction, on, normal, cosine, slope);
+  };
+  const precise::SecondAngles at = precise::second_angles(second, -1 * on, precise::triple_of(path.back.normalized()));
+  precise::FacetReturn over = {at.arriving, 0, 1};
+  if (plan_.has_facets()) {
+    const double held = edges.finite ? precise::held_on_face(side(0), side(1), rho) : 1;
+    over = precise::facet_return({slope, coherence, cosine, mirror.distance, across, held}, on,
+                                 precise::reflect(direction, normal), second);
+  }
+  return precise::mirror_intensities(
+      {.reflectance = precise::mirrored_by(reflecting, cosine) * std::pow(double{mirror.texture}, 2),
+       .share = path.share,
+       .there = there,
+       .back = path.back.norm(),
+       .spread = precise::tube_spread(scene_.tube(mirror, rays_[path.row].direction), across, there),
+       .returned = edges.finite ? precise::face_return(side(0), side(1), coherence, rho, plan_.wavelength()) : 1,
+       .at = at,
+       .texture = path.second.texture,
+       .over = over},
+      precise::second_surface_of(plan_.scatter.scattering(path.second.surface()), at, slope), plan_.neper_per_metre);
 }
 
 // multipath.md, "Return over the water's surface": out over the mirror and back over the surface, and the reciprocal
@@ -190,8 +164,8 @@ void ReferenceColumn::deposit_echoes_by_water(const Reflection& path, EchoGrid& 
   const Vec3f direction = (world_from_sonar_.orientation.inverse() * back->arrival).cast<float>();
   const RayHit& mirror = first_[path.row];
   const Scattering& reflecting = plan_.scatter.scattering(mirror.surface());
-  const double incidence = std::abs(mirror.bent.dot(rays_[path.row].direction));
-  const double reflected = double{path.share} * reflecting.reflectance(incidence) * reflecting.mirror_share(incidence) *
+  const double reflected = double{path.share} *
+                           precise::mirrored_by(reflecting, mirror.bent.dot(rays_[path.row].direction)) *
                            std::pow(double{mirror.texture}, 2);
   const double power =
       water_intensity(plan_, *back, plan_.scatter.scattering(path.second.surface()), double{path.second.texture},
@@ -205,7 +179,6 @@ void ReferenceColumn::deposit_echoes_by_water(const Reflection& path, EchoGrid& 
       scene_.blocked({back->bounce, (sonar - back->bounce) / last, near, last - double{kRayClearance}})) {
     return;
   }
-  const PingPlan::Arrival arrival = plan_.arrival_from(direction);
   Echo echo = secondary_echo(plan_, column_, path.row, hits_.selected[path.row],
                              path.there + static_cast<float>(back->length), path.second.surface());
   echo.order = 3;
@@ -215,19 +188,16 @@ void ReferenceColumn::deposit_echoes_by_water(const Reflection& path, EchoGrid& 
                      {static_cast<float>(path.second.distance), triple(path.ray.direction), triple(path.second.bent),
                       triple(-back->out), path.there, static_cast<float>(back->length)})
           .once;
-  const float received = static_cast<float>(power) * arrival.pattern;
-  echo.power = received * plan_.sent_beside(column_, arrival);  // The reciprocal path.
-  deposit(plan_, echo, grid);
-  echo.power = received * plan_.received_beside(column_, arrival);
-  echo.azimuth = arrival.bearing;
-  echo.elevation = arrival.elevation;
-  arrivals.push_back(echo);
+  const ReciprocalEchoes echoes =
+      reciprocal_echoes(plan_, column_, echo, static_cast<float>(power), plan_.arrival_from(direction));
+  deposit(plan_, echoes.launched, grid);
+  arrivals.push_back(echoes.arriving);
 }
 
 // multipath.md, "Three echoes": the echo over the mirror both ways, and the two reciprocal echoes over the mirror one
 // way. One of these arrives from the mirror; the other from the second surface, so that it may be in another beam.
 void ReferenceColumn::deposit_mirror_echoes(const Reflection& path, EchoGrid& grid, std::vector<Echo>& arrivals) {
-  const MirrorIntensities intensity = intensities(path);
+  const precise::MirrorIntensities intensity = intensities(path);
   Echo echo =
       secondary_echo(plan_, column_, path.row, hits_.selected[path.row], path.path_length, path.second.surface());
   if (plan_.max_surfaces > 2 && path.there < plan_.reach()) {
@@ -245,15 +215,11 @@ void ReferenceColumn::deposit_mirror_echoes(const Reflection& path, EchoGrid& gr
       !return_leg_is_clear(path)) {
     return;
   }
-  const PingPlan::Arrival arrival = plan_.arrival_from(arrival_direction);
   echo.half_length = path.footprint.once;
-  const float power = static_cast<float>(intensity.once) * arrival.pattern;
-  echo.power = power * plan_.sent_beside(column_, arrival);  // The reciprocal path.
-  deposit(plan_, echo, grid);
-  echo.power = power * plan_.received_beside(column_, arrival);
-  echo.azimuth = arrival.bearing;
-  echo.elevation = arrival.elevation;
-  arrivals.push_back(echo);
+  const ReciprocalEchoes echoes = reciprocal_echoes(plan_, column_, echo, static_cast<float>(intensity.once),
+                                                    plan_.arrival_from(arrival_direction));
+  deposit(plan_, echoes.launched, grid);
+  arrivals.push_back(echoes.arriving);
 }
 
 }  // namespace insonify

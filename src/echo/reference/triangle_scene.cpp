@@ -3,8 +3,9 @@
 #include "echo/reference/triangle_scene.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
+
+#include "echo/laws/laws.h"
 
 namespace insonify {
 namespace {
@@ -135,13 +136,12 @@ FaceEdges TriangleScene::face_edges(const RayHit& mirror, const Vec3& point) con
   return FaceEdges::of(face, from_corner.cast<float>(), pose.orientation.toRotationMatrix().cast<float>());
 }
 
-RayTube TriangleScene::tube(const RayHit& mirror, const Vec3& direction) const {
+precise::RayTube TriangleScene::tube(const RayHit& mirror, const Vec3& direction) const {
   const Triangle& triangle = triangles_[mirror.triangle];
-  const std::array<Vec3f, 3> corners = {Vec3f::Zero(), triangle.edge1.cast<float>(), triangle.edge2.cast<float>()};
-  std::array<Vec3f, 3> normals;
-  std::ranges::transform(triangle.normal, normals.begin(), [](const Vec3& normal) { return normal.cast<float>(); });
-  return ray_tube(corners, normals, direction.cast<float>(), mirror.bent.cast<float>(),
-                  static_cast<float>(mirror.distance));
+  return precise::ray_tube(
+      {precise::triple_of(triangle.edge1), precise::triple_of(triangle.edge2), precise::triple_of(triangle.normal[0]),
+       precise::triple_of(triangle.normal[1]), precise::triple_of(triangle.normal[2])},
+      precise::triple_of(direction), precise::triple_of(mirror.bent), mirror.distance);
 }
 
 }  // namespace insonify

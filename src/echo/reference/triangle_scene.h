@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "echo/grid/echo.h"
+#include "echo/laws/laws.h"
 #include "echo/mirror/faces.h"
-#include "echo/mirror/ray_tube.h"
 #include "echo/mirror/water_path.h"
 #include "echo/model/reliefs.h"
 #include "insonify/ground_truth.h"
@@ -49,7 +49,7 @@ class TriangleScene {
 
   /// Ray-tube spreading by the surface at a hit.
   /// @param direction  Direction of the incident sound, unit length.
-  [[nodiscard]] RayTube tube(const RayHit& mirror, const Vec3& direction) const;
+  [[nodiscard]] precise::RayTube tube(const RayHit& mirror, const Vec3& direction) const;
 
   /// The edges of the face that was hit.
   [[nodiscard]] FaceEdges face_edges(const RayHit& mirror, const Vec3& point) const;

@@ -7,7 +7,7 @@
 #include <map>
 #include <unordered_map>
 
-#include "echo/model/lobe_widening.h"
+#include "echo/laws/laws.h"
 #include "echo/targets/thin_parts.h"
 
 namespace insonify {

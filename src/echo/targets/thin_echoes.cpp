@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "base/vector_math.h"
-#include "echo/model/echo_laws.h"
+#include "echo/laws/laws.h"
 #include "echo/model/ray_limits.h"
 
 namespace insonify {
@@ -26,14 +26,14 @@ constexpr float kInFront = 1, kOwnDepth = 3;
 float strength_of(const ThinParts::Patch& patch, const Vec3f& direction, float cosine, const ScatterTable::Laws& laws,
                   std::uint32_t material) {
   const float held = std::max(-cosine, kLeastCosine);
-  const TurnProducts<float> turns{patch.around.squaredNorm(),
-                                  patch.along.squaredNorm(),
-                                  patch.around.dot(patch.along),
-                                  patch.around.dot(direction),
-                                  patch.along.dot(direction),
-                                  0,
-                                  0};
-  const LobeWidening<float> widening = widen_lobe(turns, cosine, laws.steepness[material]);
+  const TurnProducts turns{patch.around.squaredNorm(),
+                           patch.along.squaredNorm(),
+                           patch.around.dot(patch.along),
+                           patch.around.dot(direction),
+                           patch.along.dot(direction),
+                           0,
+                           0};
+  const LobeWidening widening = widen_lobe(turns, cosine, laws.steepness[material]);
   const float glint = facet_lobe(laws.lobe[material], laws.steepness[material],
                                  std::min(std::sqrt(held * held + widening.spared), 1.0F)) *
                       std::sqrt(widening.share);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "echo/model/mirror_facet.h"
+#include "echo/laws/laws.h"
 
 namespace insonify {
 namespace {
