@@ -46,8 +46,8 @@ TEST_F(CliStopTest, AForcedRunThatIsStoppedReplacesTheEarlierOne) {
     }
     return std::filesystem::path();
   };
-  // Seven pictures and a recording of the earlier run, a recording of a few pings and a folder of this one.
-  Process::wait_until([&] { return files("out").size() == 10 && std::filesystem::file_size(beside()) > 150'000; });
+  // Seven pictures and a recording of the earlier run, a recording of some forty pings and a folder of this one.
+  Process::wait_until([&] { return files("out").size() == 10 && std::filesystem::file_size(beside()) > 500'000; });
   EXPECT_EQ(recorded("out/ahead.h5"), 3U);
   process.send(SIGINT);
   const Outcome outcome = process.end();
