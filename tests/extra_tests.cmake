@@ -144,7 +144,7 @@ endif()
 
 # The version in CMakeLists.txt is the newest of the changelog, and the one to cite.
 add_test(NAME version_is_told_alike
-  COMMAND sh -c "grep -m 1 '^## ' CHANGELOG.md | grep -F '[${PROJECT_VERSION}]' && grep -Fx 'version: ${PROJECT_VERSION}' CITATION.cff"
+  COMMAND sh -c "grep -m 1 '^## \\[[0-9]' CHANGELOG.md | grep -F '[${PROJECT_VERSION}]' && grep -Fx 'version: ${PROJECT_VERSION}' CITATION.cff"
   WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
 
 # The package for ROS 2, as far as it goes without ROS 2, and the layout for Foxglove.
