@@ -56,7 +56,7 @@ void add_run(CLI::App& app, Request& request) {
       ->expected(1)
       ->take_all();
   command->add_option("--record", request.record, "Recordings to make: h5, mcap (ROS 2 messages) or both: h5,mcap [h5]")
-      ->check(one_of({"h5", "mcap", "h5,mcap", "mcap,h5"}))
+      ->check(one_of(record_choices()))
       ->type_name("KIND");
   add_message_choice(*command, options.messages, "in mcap recordings", "[1970]");
   command->add_flag("--compress", options.compress,
@@ -115,7 +115,7 @@ void add_run(CLI::App& app, Request& request) {
     if (request.strict) {
       options.settings.emplace_back("--strict=true");
     }
-    options.record = RecordKinds::parse(request.record);
+    options.record = record_kinds(request.record);
     if (request.no_pictures) {
       options.pictures.pictures = "none";
     }

@@ -13,6 +13,7 @@
 #include "insonify/mesh.h"
 #include "insonify/picture.h"
 #include "insonify/ping.h"
+#include "insonify/ping_sink.h"
 #include "insonify/scenario.h"
 #include "insonify/scene.h"
 
@@ -167,27 +168,28 @@ struct RecordingOptions {
 ///
 /// An existing file that may be replaced stays until close(). Until then the new recording is PATH.XXXXXXXX.new, with
 /// eight random hexadecimal digits; it stays there if it is never closed and holds a ping.
-class Recording {
+class Recording final : public PingSink {
  public:
   /// @param scenario  Source of the file's attributes and names, with `scene` and `sonar` (filled in).
   /// @throws Error if the file cannot be made, the disk is full, or `path` exists and may not be
   ///         replaced.
   Recording(const std::filesystem::path& path, const Scenario& scenario, const Scene& scene, const SonarConfig& sonar,
             const RecordingOptions& options = {});
-  ~Recording();
+  ~Recording() override;
   Recording(Recording&&) noexcept;
   Recording& operator=(Recording&&) noexcept;
 
   /// @throws Error if the disk is full; earlier pings stay readable.
   void add(const Ping& ping);
+  void add(std::size_t /*sonar*/, const Ping& ping) override { add(ping); }
 
   /// Flushes everything to disk and replaces an existing file; nothing can be added afterwards. The destructor does the
   /// same without reporting errors, but does not replace an existing file.
   /// @throws Error for a failure of the system.
-  void close();
+  void close() override;
 
   /// Current path of the recording: `path`, or a file beside it until it replaces an existing one.
-  [[nodiscard]] const std::filesystem::path& place() const;
+  [[nodiscard]] const std::filesystem::path& place() const override;
 
  private:
   struct State;

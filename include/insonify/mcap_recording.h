@@ -11,6 +11,7 @@
 #include "insonify/log.h"
 #include "insonify/messages.h"
 #include "insonify/ping.h"
+#include "insonify/ping_sink.h"
 #include "insonify/scenario.h"
 #include "insonify/scene.h"
 #include "insonify/version.h"
@@ -45,25 +46,25 @@ struct McapOptions {
 ///
 /// Pings reach the disk within half a second: a killed run leaves a file without an index that is readable up to its
 /// last chunk. Existing files are treated as by Recording. RecordedPings reads MCAP files.
-class McapRecording {
+class McapRecording final : public PingSink {
  public:
   /// @param sources  One per sonar, with different names.
   /// @throws Error if the file cannot be made, or `path` exists and may not be replaced; for options out of limits.
   McapRecording(const std::filesystem::path& path, std::vector<MessageSource> sources, const McapOptions& options = {});
-  ~McapRecording();
+  ~McapRecording() override;
   McapRecording(McapRecording&&) noexcept;
   McapRecording& operator=(McapRecording&&) noexcept;
 
   /// @param sonar  Index into the sources.
   /// @throws Error if the disk is full, with earlier pings readable; for a ping that SonarMessages refuses.
-  void add(std::size_t sonar, const Ping& ping);
+  void add(std::size_t sonar, const Ping& ping) override;
 
   /// Writes the index, flushes everything to disk and replaces an existing file. The destructor does the same without
   /// reporting errors, but does not replace an existing file.
-  void close();
+  void close() override;
 
   /// Current path of the recording: `path`, or a file beside it until it replaces an existing one.
-  [[nodiscard]] const std::filesystem::path& place() const;
+  [[nodiscard]] const std::filesystem::path& place() const override;
 
  private:
   struct State;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -144,6 +145,23 @@ class ScanView {
   double last_time_ = 0;
   std::vector<double> head_angles_;
   std::vector<std::vector<float>> profiles_;
+};
+
+/// The picture of a sonar's pings, by its product: the fan of the last ping, or the ScanView of all.
+class ProductView {
+ public:
+  /// @throws Error as ScanView does.
+  explicit ProductView(const SonarConfig& sonar);
+  /// @throws Error as ScanView does.
+  void add(const Ping& ping);
+  /// insonify::fitting_full_scale() of what is shown.
+  [[nodiscard]] double fitting_full_scale() const;
+  [[nodiscard]] Picture draw(const Display& display = {}) const;
+
+ private:
+  SonarConfig sonar_;
+  Ping last_;                     // Of a sonar whose pings are images.
+  std::optional<ScanView> scan_;  // Of one whose pings are lines.
 };
 
 }  // namespace insonify

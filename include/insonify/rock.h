@@ -77,9 +77,8 @@ template <typename Sonar>
   sample.time = Time::fromMicroseconds(options.epoch_us + std::llround(1e6 * ping.time));
   sample.timestamps.clear();
   sample.bin_duration = Time::fromMicroseconds(bins.duration_us);
-  const std::vector<double> edges = sonar.beam_edges();
-  const double fan = edges.front() - edges.back();
-  sample.beam_width = Angle::fromRad(options.fan_width ? fan : fan / sonar.beam_count);
+  const BearingGrid beams = sonar.bearings();
+  sample.beam_width = Angle::fromRad(options.fan_width ? beams.extent() : beams.covered() / sonar.beam_count);
   sample.beam_height = Angle::fromRad(sonar.elevation_aperture);
   sample.speed_of_sound = static_cast<float>(bins.sound_speed);
   sample.beam_count = static_cast<std::uint32_t>(sonar.beam_count);

@@ -7,11 +7,14 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
+#include "insonify/bearing_grid.h"
 #include "insonify/field.h"
 #include "insonify/geometry.h"
 #include "insonify/receiver_config.h"
+#include "insonify/scan.h"
 #include "insonify/sonar/sampling.h"
 
 namespace insonify {
@@ -26,8 +29,8 @@ inline constexpr double kWidestElement = radians_from_degrees(175);
 /// ping.
 enum class SonarType { kForwardLooking, kMechanicallyScanned };
 
-/// Axis about which a scanning head turns: the housing's z (a plan view), or its y, rolled by 90 degrees (a slice).
-enum class Mounting { kHorizontal, kVertical };
+/// What the pings of a sonar make: each the picture of a fan, or lines of one picture.
+enum class Product { kImage, kLine };
 
 /// How a fan's beams get their directions: by delays between elements, or by a lens.
 enum class Steering { kElectronic, kLens };
@@ -64,6 +67,9 @@ struct SonarConfig {
   double azimuth_aperture = radians_from_degrees(120);  ///< Full width of the fan [rad], in (0, 2 pi].
   std::vector<double>
       beam_azimuths;  ///< Explicit centres, falling from port to starboard [rad]; evenly spaced in angle when empty.
+  std::vector<double>
+      beam_widths;  ///< Full widths of the beams' slices of azimuth, one for all or one for each [rad],
+                    ///< in (0, 2 pi]; narrower ones than the spacing leave gaps. Beams touch when empty.
   std::optional<double> azimuth_resolution;  ///< Full width at half power of the unsteered beam, one way [rad], in
                                              ///< (0, pi/2]; the beam spacing when absent.
   double elevation_aperture = radians_from_degrees(20);  ///< Full height of every beam; at half power, one way, where
@@ -71,9 +77,16 @@ struct SonarConfig {
   double elevation_center = 0;                           ///< Middle of the elevation aperture [rad].
 
   // Directivity of its transducers, besides the array's beams (docs/concepts/array-and-pulse.md).
-  BeamPattern elevation_pattern = BeamPattern::kTopHat;  ///< Across elevations, both ways, if
+  BeamPattern elevation_pattern = BeamPattern::kTopHat;  ///< Across elevations, if
                                                          ///< ReceiverConfig::elevation_pattern is kInstrument. Not
                                                          ///< kInstrument.
+  BeamPattern transmit_elevation_pattern = BeamPattern::kInstrument;  ///< Of the transmitter; kInstrument: the
+                                                                      ///< receiver's.
+  std::optional<double> transmit_elevation_aperture =
+      {};                      ///< Height of the transmitter's pattern, as elevation_aperture
+                               ///< [rad], in (0, 170 deg]; absent: elevation_aperture.
+  bool two_way_array = false;  ///< Whether the array that makes the beam transmits it too, so that azimuth_pattern
+                               ///< applies both ways; one beam only. That of a scanning head always does.
   std::optional<double> transmit_width = {};  ///< Full azimuth width at half power of the transmitter of a fan
                                               ///< [rad], in (0, 175 deg]; absent: omnidirectional in azimuth.
   std::optional<double> element_width = {};   ///< Full azimuth width at half power of one element of a fan's
@@ -115,12 +128,7 @@ struct SonarConfig {
   Steering steering = Steering::kElectronic;  ///< kElectronic: bearings depend on assumed_sound_speed too. Fans only.
   std::optional<double> ping_period;          ///< Time between pings [s], 2 max_range / c (when absent) to 1e6.
 
-  // Scanning head (MSIS only).
-  double step = radians_from_degrees(0.9);  ///< Turn of the head between pings, positive to port [rad], not 0.
-  double sector_center = 0;                 ///< Middle of the scanned sector [rad].
-  double sector_width =
-      2 * std::numbers::pi;  ///< Full circle: keeps turning; less: sweeps to and fro [rad], in (0, 2 pi].
-  Mounting mounting = Mounting::kHorizontal;
+  RotatingScan head;  ///< Of a scanning sonar only.
 
   // Pose on the vehicle, or in the world if there is no trajectory.
   Vec3 position = Vec3::Zero();     ///< [m], within 1e7.
@@ -143,25 +151,45 @@ struct SonarConfig {
     return with.elevation_pattern == BeamPattern::kInstrument ? elevation_pattern : with.elevation_pattern;
   }
 
+  /// Pattern and aperture of the transmitter across elevations.
+  [[nodiscard]] BeamPattern sent_elevation_pattern(const ReceiverConfig& with) const {
+    return transmit_elevation_pattern == BeamPattern::kInstrument ? elevation_pattern_beside(with)
+                                                                  : transmit_elevation_pattern;
+  }
+  [[nodiscard]] double sent_elevation_aperture() const {  ///< [rad]
+    return transmit_elevation_aperture.value_or(elevation_aperture);
+  }
+
+  /// Whether the array across bearings transmits too.
+  [[nodiscard]] bool is_two_way() const { return two_way_array || scans(); }
+
   /// Azimuth of the centre of beam `beam` [rad]; falls from port (beam 0) to starboard.
   [[nodiscard]] double beam_azimuth(int beam) const;
 
-  /// Azimuths of the edges between beams, beam_count + 1 of them, falling [rad]: beam b covers edges b to b + 1. Edges
-  /// are midway between centres; the outermost beams extend as far outwards as inwards. Evenly spaced beams fill the
-  /// aperture exactly.
-  [[nodiscard]] std::vector<double> beam_edges() const;
+  /// The slices of azimuth that the beams cover. Without beam_widths they touch: edges are midway between centres, the
+  /// outermost beams extend as far outwards as inwards, and evenly spaced beams fill the aperture exactly.
+  [[nodiscard]] BearingGrid bearings() const;
 
   /// The mounting pose, housing to vehicle. A vertical mounting first rolls the housing by +90 deg about its x, so that
   /// its y, towards which the head turns, points up: positive head angles look up.
   [[nodiscard]] Pose vehicle_from_sonar() const;
 
-  /// Angle of the head at a ping, 0 for a forward-looking sonar [rad]. On a full circle the head starts at
-  /// sector_center and keeps turning, and the angle is not wrapped. In a sector it starts at one edge, steps away from
-  /// it, and turns back at the last whole step inside the sector.
-  [[nodiscard]] double head_angle(std::uint64_t ping) const;
+  /// How its beams turn from ping to ping.
+  [[nodiscard]] Scan scan() const { return type == SonarType::kMechanicallyScanned ? Scan(head) : Scan(FixedScan()); }
+  [[nodiscard]] bool scans() const { return std::holds_alternative<RotatingScan>(scan()); }
+
+  /// What its pings make.
+  [[nodiscard]] Product product() const { return scans() ? Product::kLine : Product::kImage; }
+
+  /// Angle of the head at a ping, 0 for a forward-looking sonar [rad].
+  [[nodiscard]] double head_angle(std::uint64_t ping) const {
+    return std::visit([ping](const auto& scan) { return scan.angle(ping); }, scan());
+  }
 
   /// Number of pings per full turn of a scanning head, or per sweep across its sector; 1 for a forward-looking sonar.
-  [[nodiscard]] std::uint64_t pings_per_turn() const;
+  [[nodiscard]] std::uint64_t pings_per_turn() const {
+    return std::visit([](const auto& scan) { return scan.pings_per_turn(); }, scan());
+  }
 
   /// Shortest time between pings: sound must return from max_range first [s].
   /// @param sound_speed  Sound speed that the sonar assumes [m/s].

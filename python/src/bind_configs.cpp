@@ -99,10 +99,11 @@ void add_receivers_and_sonars(py::module_& module) {
   sonar->def(
       "azimuth_edges",
       [](const py::object& self) {
-        const std::vector<double> edges = unwrap<SonarConfig>(self, "sonar").beam_edges();
+        const std::vector<double> edges = unwrap<SonarConfig>(self, "sonar").bearings().edges();
         return py::array_t<double>(static_cast<py::ssize_t>(edges.size()), edges.data());
       },
-      "Azimuths of the edges of the beams, an array [beams + 1] in radians, positive to port, falling.");
+      "Azimuths of the edges of the beams, an array [beams + 1] in radians, positive to port, falling; where there are "
+      "gaps between beams, both edges of each in turn, [2 beams].");
 }
 
 void add_materials(py::module_& module) {

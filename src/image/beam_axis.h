@@ -10,7 +10,7 @@
 namespace insonify {
 
 /// Continuous beam coordinate of a sonar: b at the centre of beam b, linear between centres and out to the outer edges,
-/// which are at -0.5 and beam_count - 0.5.
+/// which are at -0.5 and beam_count - 0.5. A gap between beams b and b + 1 is at b + 0.5.
 class BeamAxis {
  public:
   explicit BeamAxis(const SonarConfig& sonar);
@@ -32,7 +32,7 @@ class BeamAxis {
   struct Knot {
     double azimuth, beam, beams_per_radian;  // beams_per_radian is valid up to the next knot.
   };
-  std::vector<Knot> knots_;  // The port edge, the beam centres and the starboard edge.
+  std::vector<Knot> knots_;  // The port edge, the beam centres, the edges of gaps and the starboard edge.
   std::vector<int> first_;   // Index of the knot at or before each of many equal steps from the port edge.
   double steps_per_radian_ = 0, last_step_ = 0, last_ = 0;
 };

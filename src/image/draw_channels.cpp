@@ -186,7 +186,7 @@ Picture draw_channels(const Channels& channels, const SonarConfig& sonar, const 
     }
   }
   if (display.annotations) {
-    draw_axis(picture, layout, channels, sonar.mounting, page);
+    draw_axis(picture, layout, channels, sonar.head.mounting, page);
     page.draw_title(picture);
   }
   return picture;

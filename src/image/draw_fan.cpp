@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "image/beam_axis.h"
 #include "image/fan_frame.h"
@@ -13,7 +14,8 @@
 namespace insonify {
 namespace {
 
-// Intensity of a ping by range and azimuth: bilinear interpolation between beam and bin centres.
+// Intensity of a ping by range and azimuth: bilinear interpolation between beam and bin centres, but not over a gap
+// between beams, where it is NaN.
 class FanTable {
  public:
   FanTable(const Ping& ping, const SonarConfig& sonar, const FanShape& shape)
@@ -24,15 +26,25 @@ class FanTable {
         min_range_(sonar.min_range),
         bins_per_metre_(1 / sonar.bin_length()),
         middle_(shape.middle()),
-        wraps_(shape.full_circle()) {}
+        wraps_(shape.full_circle()),
+        slices_(sonar.bearings()),
+        has_gaps_(slices_.has_gaps()) {}
 
   double operator()(double range, double azimuth) const {
-    const double beam = axis_.beam_at(middle_ + near_zero(azimuth - middle_));
+    const double bearing = middle_ + near_zero(azimuth - middle_);
+    const double beam = axis_.beam_at(bearing);
     const double bin = std::clamp((range - min_range_) * bins_per_metre_ - 0.5, 0.0, bins_ - 1.0);
     const int bin0 = static_cast<int>(bin);
     const int bin1 = std::min(bin0 + 1, bins_ - 1);
     const int beam0 = static_cast<int>(beam + 1) - 1;  // Rounds down from -0.5 on.
-    const double across = beam - beam0;
+    double across = beam - beam0;
+    if (has_gaps_) {
+      const int own = slices_.last_before(bearing, std::max(beam0, 0));
+      if (!slices_.has(own, bearing)) {
+        return std::numeric_limits<double>::quiet_NaN();
+      }
+      across = slices_.gap_after(beam0) ? std::round(across) : across;
+    }
     const double along = bin - bin0;
     const int left = column(beam0);
     const int right = column(beam0 + 1);
@@ -56,6 +68,8 @@ class FanTable {
   int beams_, bins_;
   double min_range_, bins_per_metre_, middle_;
   bool wraps_;
+  BearingGrid slices_;
+  bool has_gaps_;
 };
 
 }  // namespace
@@ -63,10 +77,10 @@ class FanTable {
 Picture draw_fan(const Ping& ping, const SonarConfig& sonar, const Display& display) {
   display.validate();
   check_ping(ping, sonar);
-  const std::vector<double> edges = sonar.beam_edges();
-  const FanShape shape{edges.back(), edges.front(), sonar.min_range, sonar.max_range, 0};
+  const BearingGrid beams = sonar.bearings();
+  const FanShape shape{beams.starboard.back(), beams.port.front(), sonar.min_range, sonar.max_range, 0};
   const FanTable table(ping, sonar, shape);
-  const FanCells cells{sonar.bin_length(), shape.aperture() / sonar.beam_count};
+  const FanCells cells{sonar.bin_length(), beams.covered() / sonar.beam_count};
   const Tone tone(display);
   if (!display.annotations) {
     const BareFan fan = bare_fan(shape, display.height);

@@ -25,29 +25,30 @@ constexpr double kWidestFill = 3;
 
 // Angle that a ping is drawn over [rad].
 double ping_width(const SonarConfig& sonar) {
-  const double step = std::abs(sonar.step);
+  const double step = std::abs(sonar.head.step);
   return step <= kWidestFill * sonar.azimuth_aperture ? step : sonar.azimuth_aperture;
 }
 
 // The scanned sector, extended by half the width of the outermost pings.
 FanShape shape_of(const SonarConfig& sonar) {
-  const double width = std::min(kTwoPi, sonar.sector_width + ping_width(sonar));
-  const bool whole = sonar.sector_width > kTwoPi - 1e-6;
+  const double width = std::min(kTwoPi, sonar.head.sector_width + ping_width(sonar));
+  const bool whole = sonar.head.sector_width > kTwoPi - 1e-6;
   // With a vertical mounting the head's port side points up: up is drawn upwards, and the housing's front to the right.
-  const double up = sonar.mounting == Mounting::kVertical ? std::numbers::pi / 2 : 0;
+  const double up = sonar.head.mounting == Mounting::kVertical ? std::numbers::pi / 2 : 0;
   const double half = whole ? std::numbers::pi : width / 2;
-  return {sonar.sector_center - half, sonar.sector_center + half, sonar.min_range, sonar.max_range, up};
+  return {sonar.head.sector_center - half, sonar.head.sector_center + half, sonar.min_range, sonar.max_range, up};
 }
 
 FanMarks scan_marks(const SonarConfig& sonar, const FanShape& shape) {
-  const double half = shape.full_circle() ? std::numbers::pi : sonar.sector_width / 2;
-  return marks_of(shape, sonar.sector_center - half, sonar.sector_center + half, sonar.mounting);
+  const double half = shape.full_circle() ? std::numbers::pi : sonar.head.sector_width / 2;
+  return marks_of(shape, sonar.head.sector_center - half, sonar.head.sector_center + half, sonar.head.mounting);
 }
 
 // Step between head-angle labels. Labels of slopes are long: beyond half a circle there is room for few.
 double head_angle_step(const SonarConfig& sonar, const FanShape& shape) {
-  const double step = radial_step(shape.aperture(), sonar.mounting);
-  return sonar.mounting == Mounting::kVertical && shape.aperture() > std::numbers::pi ? std::numbers::pi / 4 : step;
+  const double step = radial_step(shape.aperture(), sonar.head.mounting);
+  return sonar.head.mounting == Mounting::kVertical && shape.aperture() > std::numbers::pi ? std::numbers::pi / 4
+                                                                                           : step;
 }
 
 std::string count_text(std::size_t pings) {
@@ -57,9 +58,9 @@ std::string count_text(std::size_t pings) {
 }  // namespace
 
 ScanView::ScanView(const SonarConfig& sonar) : sonar_(sonar) {
-  if (sonar.beam_count != 1 || sonar.step == 0) {
+  if (sonar.beam_count != 1 || sonar.head.step == 0) {
     throw Error(fmt::format("{} turns {} by {} deg: a scan view must have one beam that turns", sonar.name,
-                            counted(sonar.beam_count, "beam"), degrees_from_radians(sonar.step)));
+                            counted(sonar.beam_count, "beam"), degrees_from_radians(sonar.head.step)));
   }
 }
 
@@ -90,7 +91,7 @@ double ScanView::fitting_full_scale() const {
 Picture ScanView::draw(const Display& display) const {
   display.validate();
   const FanShape shape = shape_of(sonar_);
-  const ScanSlots slots(head_angles_, sonar_.step, ping_width(sonar_));
+  const ScanSlots slots(head_angles_, sonar_.head.step, ping_width(sonar_));
   // Linear interpolation along range, and across to the ping before or after.
   const auto intensity = [&](int ping, double bin) {
     const std::vector<float>& profile = profiles_[ping];
@@ -137,14 +138,14 @@ Picture ScanView::draw_polar(const Display& display) const {
   const std::vector<double> azimuths = multiples_within(shape.low, shape.high, head_angle_step(sonar_, shape));
   for (auto azimuth = azimuths.rbegin(); azimuth != azimuths.rend(); ++azimuth) {  // From port, which is left.
     axes.across.push_back(
-        {(shape.high - *azimuth) / shape.aperture(), bearing_text(*azimuth, sonar_.mounting), *azimuth == 0});
+        {(shape.high - *azimuth) / shape.aperture(), bearing_text(*azimuth, sonar_.head.mounting), *azimuth == 0});
   }
   Page page(display, heading_of(sonar_, count_text(head_angles_.size()), last_time_));
   const PlotLayout plot = display.annotations ? lay_out_plot(axes, page, display.height) : bare_plot(display.height);
   Picture picture = blank_picture(plot.width, plot.height, palette::kBackground);
 
   const Tone tone(display);
-  const ScanSlots slots(head_angles_, sonar_.step, ping_width(sonar_));
+  const ScanSlots slots(head_angles_, sonar_.head.step, ping_width(sonar_));
   for (int x = plot.left; x < plot.right; ++x) {
     const double azimuth = shape.high - (x + 0.5 - plot.left) / (plot.right - plot.left) * shape.aperture();
     const int ping = slots.at(azimuth).ping;

@@ -35,7 +35,8 @@ void write_text(const std::filesystem::path& path, const std::string& text) {
 std::vector<std::filesystem::path> live_recording_files(const std::filesystem::path& path,
                                                         std::span<const SonarConfig> sonars) {
   std::vector<std::filesystem::path> files;
-  if (path.extension() == ".mcap" || sonars.size() == 1) {
+  const RecordingFormat* const format = recording_format(path);
+  if (sonars.size() == 1 || (format != nullptr && format->holds_all)) {
     files.push_back(path);
   } else {
     for (const SonarConfig& sonar : sonars) {
@@ -49,9 +50,8 @@ std::vector<std::filesystem::path> live_recording_files(const std::filesystem::p
 LiveRecorder::LiveRecorder(const std::filesystem::path& path, int part, const LiveWorld& world, bool replace,
                            const MessageOptions& messages, const Log& log) {
   const std::filesystem::path base = part == 0 ? path : with_suffix(path, fmt::format("-{}", part + 1));
-  const std::string ending = base.extension().string();
-  if (ending != ".h5" && ending != ".mcap") {
-    throw Error(fmt::format("{}: recordings end in .h5 or .mcap", base.string()));
+  if (recording_format(base) == nullptr) {
+    throw Error(fmt::format("{}: recordings end in {}", base.string(), recording_names(".", " or ")));
   }
   paths_ = live_recording_files(base, world.sonars);
   for (const std::filesystem::path& file : paths_) {
@@ -71,40 +71,28 @@ LiveRecorder::LiveRecorder(const std::filesystem::path& path, int part, const Li
 }
 
 void LiveRecorder::begin(const LiveWorld& world, bool replace, const MessageOptions& messages, const Log& log) {
-  if (paths_.front().extension() == ".mcap") {
-    std::vector<MessageSource> sources;
-    for (const SonarConfig& sonar : world.sonars) {
-      sources.push_back(message_source(world.scenario, sonar));
-    }
-    const McapOptions options{
-        .messages = messages, .run = run_facts(world.scenario, world.scene), .log = log, .replace = replace};
-    mcap_.emplace(paths_.front(), std::move(sources), options);
-    return;
-  }
+  const RecordingFormat& format = *recording_format(paths_.front());
+  const RecordOptions options{.h5 = {.replace = replace},
+                              .mcap = {.messages = messages, .log = log, .replace = replace}};
+  const std::span<const SonarConfig> sonars = world.sonars;
   for (std::size_t i = 0; i < paths_.size(); ++i) {
-    recordings_.emplace_back(paths_[i], world.scenario, world.scene, world.sonars[i],
-                             RecordingOptions{.replace = replace});
+    const auto of_file = format.holds_all ? sonars : sonars.subspan(i, 1);
+    sinks_.push_back(format.open(paths_[i], {world.scenario, world.scene, of_file}, options));
   }
 }
 
 void LiveRecorder::add(const LivePing& ping) {
   const auto sonar = static_cast<std::size_t>(ping.sonar);
   whole_ = false;  // Until it is written.
-  if (mcap_) {
-    mcap_->add(sonar, ping.ping);
-  } else {
-    recordings_[sonar].add(ping.ping);
-  }
+  const bool shared = sinks_.size() == 1;
+  sinks_[shared ? 0 : sonar]->add(shared ? sonar : 0, ping.ping);
   whole_ = true;
   ++pings_;
 }
 
 std::vector<std::filesystem::path> LiveRecorder::places() const {
   std::vector<std::filesystem::path> places;
-  std::ranges::transform(recordings_, std::back_inserter(places), &Recording::place);
-  if (mcap_) {
-    places.push_back(mcap_->place());
-  }
+  std::ranges::transform(sinks_, std::back_inserter(places), [](const auto& sink) { return sink->place(); });
   return places;
 }
 
@@ -112,8 +100,7 @@ std::vector<std::filesystem::path> LiveRecorder::places() const {
 void LiveRecorder::remove() {
   std::vector<std::filesystem::path> gone = places();
   gone.push_back(unfinished_path_);
-  recordings_.clear();
-  mcap_.reset();
+  sinks_.clear();
   for (const std::filesystem::path& place : gone) {
     std::error_code ignored;
     std::filesystem::remove(place, ignored);
@@ -171,11 +158,8 @@ void LiveRecorder::close(const LiveRun& run) {
       error = error.empty() ? failure.what() : error;
     }
   };
-  for (Recording& recording : recordings_) {
-    try_to([&] { recording.close(); });
-  }
-  if (mcap_) {
-    try_to([&] { mcap_->close(); });
+  for (const auto& sink : sinks_) {
+    try_to([&] { sink->close(); });
   }
   if (!whole_ || !error.empty()) {
     count_what_is_there();

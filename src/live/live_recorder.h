@@ -7,14 +7,13 @@
 #include <memory>
 #include <vector>
 
-#include "insonify/files.h"
 #include "insonify/live_loop.h"
-#include "insonify/mcap_recording.h"
+#include "insonify/recording_formats.h"
 #include "live/live_run.h"
 
 namespace insonify {
 
-/// The recordings of one run: HDF5, one file per sonar, or MCAP, one file for all, by the extension of the name.
+/// The recordings of one run, in the format of the name's ending: one file for each sonar, or one for all.
 class LiveRecorder {
  public:
   /// @param part  From 0; appears in names from 1 on: out.h5, out-2.h5.
@@ -55,8 +54,7 @@ class LiveRecorder {
 
   std::vector<std::filesystem::path> paths_;
   std::filesystem::path scenario_path_;
-  std::vector<Recording> recordings_;  // One per sonar; empty with `mcap_`.
-  std::optional<McapRecording> mcap_;
+  std::vector<std::unique_ptr<PingSink>> sinks_;  // One for each sonar, or one for all.
   std::uint64_t pings_ = 0;
   bool scenario_is_earlier_ = false;       // Whether an existing scenario is to be replaced at the end.
   bool whole_ = true;                      // Whether all pings were written.

@@ -92,7 +92,7 @@ void CalibratedReceiver::detect_tile(const EchoGrid& grid, const TilePlace& plac
     }
     if (labelled) {
       // Labels come from the cells in the beam's own slice of azimuth, not from those in its side lobes.
-      take_labels(grid, first_cell_ + beam * cells_per_beam_, cells_per_beam_, place, b, tile);
+      take_labels(grid, first_cells_[beam], cells_per_beam_, place, b, tile);
     }
   }
   write_tile(tile, place, labelled, ping);

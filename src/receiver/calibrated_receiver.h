@@ -110,7 +110,8 @@ class CalibratedReceiver {
   [[nodiscard]] const Signals& beam_signals() const { return bearing_ ? of_beams_ : of_cells_; }
   void detect_tile(const EchoGrid& grid, const TilePlace& place, Ping& ping) const;
 
-  int beams_, bins_, cells_, first_cell_, cells_per_beam_;
+  int beams_, bins_, cells_, cells_per_beam_;
+  std::vector<int> first_cells_;   // [beam]
   std::vector<float> gain_;        // [bin]: intensity gain, near-field ramp times time-varied gain.
   std::vector<float> volume_;      // [bin]: volume reverberation per unit solid angle [1/sr]; empty without any.
   std::vector<float> cell_angle_;  // [cell]: solid angle, weighted by the pattern both ways [sr].

@@ -53,9 +53,9 @@ std::vector<float> volume_of(const SonarConfig& sonar, const Water& water, doubl
 CalibratedReceiver::CalibratedReceiver(const Settings& settings)
     : beams_(settings.sonar.beam_count),
       bins_(settings.sonar.bin_count),
-      cells_(settings.cells.sonar.beam_count),
-      first_cell_(settings.cells.first),
+      cells_(settings.cells.grid.count()),
       cells_per_beam_(settings.cells.per_beam),
+      first_cells_(settings.cells.firsts),
       cell_angle_(settings.cell_angles.begin(), settings.cell_angles.end()),
       truth_(settings.sonar, settings.cells, settings.cell_angles),
       saturation_(settings.receiver.saturation_db
@@ -79,7 +79,7 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
     coarse_.emplace(pulse, sonar.bin_length(), *range_, receiver.decimation);
     keeps_looks_ = coarse_->has_looks() && (receiver.speckle || receiver.noise);
   }
-  const std::vector<double> beam_sines = BearingCells::sines(sonar);
+  const std::vector<double> beam_sines = sonar.bearings().sines();
   std::optional<ArrayPattern> perfect;  // Array without faults, one way: receives isotropic noise.
   std::optional<ArrayPattern> hearing;  // Array with its faults, one way: receives sound from one direction.
   double length = 0;                    // [wavelengths]
@@ -90,7 +90,7 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
     one_way.two_way = false;
     hearing.emplace(one_way, seed_);
     length = array.length(wavelength, beam_width(sonar)) / wavelength;
-    bearing_.emplace(array, length, BearingCells::sines(cells.sonar), beam_sines, BearingResponse::kFloorDb,
+    bearing_.emplace(array, length, cells.grid.sines(), beam_sines, BearingResponse::kFloorDb,
                      BearingResponse::Extras{.cell_edges = cells.edge_sines,
                                              .element = FanPattern(sonar.element_width),
                                              .zones = focus_zones(sonar, length, wavelength, range_scale)});
@@ -141,16 +141,16 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
   }
   if (settings.moves) {
     const double bias = pulse.doppler_bias(doppler_shift(1, sonar.frequency, true_speed));
-    shift_.emplace(cells.sonar, range_scale, true_speed, bias, bearing_.has_value());
+    shift_.emplace(cells, sonar, range_scale, true_speed, bias, bearing_.has_value());
   }
   if (receiver.speckle) {
     const double window = std::min(sonar.bin_length(), pulse.equivalent_length());  // One look.
-    lattice_.emplace(cells.sonar, range_scale, wavelength, range_scale * window, seed_);
+    lattice_.emplace(cells.grid, sonar, range_scale, wavelength, range_scale * window, seed_);
     CarrierSpread spread = carrier_spread(pulse, sonar.bin_length(), window);
     spread.length *= range_scale;
     speckle_.emplace(*lattice_, range_ ? &*range_ : nullptr, spread);
-    sparse_.emplace(settings.materials, cells.sonar, *lattice_);
-    clutter_.emplace(settings.materials, cells.sonar, *lattice_, seed_);
+    sparse_.emplace(settings.materials, cells.grid, *lattice_);
+    clutter_.emplace(settings.materials, cells.grid, *lattice_, seed_);
   }
   if (receiver.counts) {
     digitizer_.emplace(sonar, receiver.full_scale_db.value_or(0), receiver.full_scale_share);

@@ -21,22 +21,23 @@ PingMotion motion_between(const Pose& first, const Pose& last, double time) {
   return {.velocity = back * ((last.position - first.position) / time), .turn_rate = angle * turn.axis().z() / time};
 }
 
-ReceptionShift::ReceptionShift(const SonarConfig& cells, double range_scale, double sound_speed, double bias,
-                               bool has_array)
-    : cells_config_(cells),
-      cells_(cells.beam_count),
-      bins_(cells.bin_count),
+ReceptionShift::ReceptionShift(const BearingCells& cells, const SonarConfig& sonar, double range_scale,
+                               double sound_speed, double bias, bool has_array)
+    : cells_(cells.grid),
+      bins_(sonar.bin_count),
+      min_range_(sonar.min_range),
+      bin_length_(sonar.bin_length()),
+      elevation_(sonar.elevation_center),
+      uneven_(!cells.edge_sines.empty()),
       range_scale_(range_scale),
       sound_speed_(sound_speed),
       bias_(bias),
-      has_array_(has_array),
-      edges_(cells.beam_edges()) {}
+      has_array_(has_array) {}
 
 // Speed of approach v . d towards an azimuth, at the middle of the elevation aperture [m/s].
 double ReceptionShift::approach(double azimuth) const {
   const Vec3& v = motion_.velocity;
-  const double elevation = cells_config_.elevation_center;
-  return (v.x() * std::cos(azimuth) + v.y() * std::sin(azimuth)) * std::cos(elevation) + v.z() * std::sin(elevation);
+  return (v.x() * std::cos(azimuth) + v.y() * std::sin(azimuth)) * std::cos(elevation_) + v.z() * std::sin(elevation_);
 }
 
 // By how much an echo from an azimuth appears further to starboard because the sonar has moved to port by u t, with t =
@@ -44,14 +45,14 @@ double ReceptionShift::approach(double azimuth) const {
 double ReceptionShift::parallax(double azimuth) const {
   const Vec3& v = motion_.velocity;
   const double across = v.y() * std::cos(azimuth) - v.x() * std::sin(azimuth);
-  const double level_share = std::max(std::cos(cells_config_.elevation_center), kLeastLevel);
+  const double level_share = std::max(std::cos(elevation_), kLeastLevel);
   return 2 * across / (sound_speed_ * level_share);
 }
 
 void ReceptionShift::prepare(const PingMotion& motion, Workers& workers) {
   motion_ = motion;
-  source_.resize(static_cast<std::size_t>(cells_) * bins_);
-  workers.for_each(cells_, [&](int cell, int) { prepare_cell(cell); });
+  source_.resize(static_cast<std::size_t>(cells_.count()) * bins_);
+  workers.for_each(cells_.count(), [&](int cell, int) { prepare_cell(cell); });
 }
 
 // For each bin of a cell: inverts the equations of the class comment, from reception back to transmission. The search
@@ -60,47 +61,36 @@ void ReceptionShift::prepare_cell(int cell) {
   std::int32_t* const sources = &source_[static_cast<std::size_t>(cell) * bins_];
   int from = cell;
   for (int bin = 0; bin < bins_; ++bin) {
-    const double received = range_scale_ * cells_config_.bin_range(bin);
+    const double received = range_scale_ * range_at(bin + 0.5);
     const double time = 2 * received / sound_speed_;
-    const double shown = cells_config_.beam_azimuth(cell) + motion_.turn_rate * time;
+    const double shown = cells_.centres[cell] + motion_.turn_rate * time;
     const double azimuth = shown + parallax(shown);
-    while (from > 0 && azimuth > edges_[from]) {
-      --from;
-    }
-    while (from + 1 < cells_ && azimuth <= edges_[from + 1]) {
-      ++from;
-    }
+    from = cells_.last_before(azimuth, from);
     // Cells move whole. The energy of a wide outer cell of a scanning head does not fit a narrow one, nor the other way
     // round: of the far side lobes, what crosses that border is lost.
-    const double ratio = (edges_[cell] - edges_[cell + 1]) / (edges_[from] - edges_[from + 1]);
-    const bool fits =
-        cells_config_.type != SonarType::kMechanicallyScanned || (ratio < kMostUneven && ratio > 1 / kMostUneven);
-    const bool inside = azimuth <= edges_[from] && azimuth > edges_[from + 1] && fits;
+    const double ratio = cells_.width(cell) / cells_.width(from);
+    const bool fits = !uneven_ || (ratio < kMostUneven && ratio > 1 / kMostUneven);
+    const bool inside = cells_.has(from, azimuth) && fits;
     const double speed = approach(azimuth);
     const double range = (received + bias_ * speed) / (1 - speed / sound_speed_);
-    const double position = (range / range_scale_ - cells_config_.min_range) / cells_config_.bin_length();
+    const double position = (range / range_scale_ - min_range_) / bin_length_;
     const bool within = position >= 0 && position < bins_;
     sources[bin] = inside && within ? from * bins_ + static_cast<int>(position) : -1;
   }
 }
 
 DiscreteEcho ReceptionShift::moved(DiscreteEcho echo) const {
-  const double range = range_scale_ * cells_config_.bin_range(echo.bin), azimuth = std::asin(double{echo.bearing_sine});
+  const double range = range_scale_ * range_at(echo.bin + 0.5), azimuth = std::asin(double{echo.bearing_sine});
   const bool is_ours = echo.order > 0;  // Order 0: another sonar's pulse, not timed by ours.
   const double speed = is_ours ? approach(azimuth) : 0;
   const double received = range - speed * (range / sound_speed_ + bias_);
-  const double position = (received / range_scale_ - cells_config_.min_range) / cells_config_.bin_length();
+  const double position = (received / range_scale_ - min_range_) / bin_length_;
   const double bearing = azimuth - (is_ours ? parallax(azimuth) : 0) - motion_.turn_rate * 2 * received / sound_speed_;
   echo.bearing_sine = static_cast<float>(std::sin(bearing));
-  const bool inside = bearing <= edges_.front() && bearing > edges_.back();
-  const bool within = position >= 0 && position < bins_ && (has_array_ || inside);
+  const int cell = cells_.last_before(bearing, echo.beam);
+  const bool within = position >= 0 && position < bins_ && (has_array_ || cells_.has(cell, bearing));
   echo.bin = within ? static_cast<int>(position) : -1;
-  while (within && echo.beam > 0 && bearing > edges_[echo.beam]) {
-    --echo.beam;
-  }
-  while (within && echo.beam + 1 < cells_ && bearing <= edges_[echo.beam + 1]) {
-    ++echo.beam;
-  }
+  echo.beam = within ? cell : echo.beam;
   return echo;
 }
 

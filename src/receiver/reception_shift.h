@@ -10,6 +10,7 @@
 #include "base/parallel.h"
 #include "echo/grid/echo_grid.h"
 #include "insonify/sonar_config.h"
+#include "receiver/array/bearing_cells.h"
 #include "receiver/ping_motion.h"
 
 namespace insonify {
@@ -27,12 +28,14 @@ namespace insonify {
 /// to the nearest bin and cell. Speckle is computed for the pose at transmission.
 class ReceptionShift {
  public:
-  /// @param cells        The grids' cells, see BearingCells::sonar.
+  /// @param cells        The grids' cells.
+  /// @param sonar        Its range bins and elevations.
   /// @param range_scale  True range / reported range.
   /// @param sound_speed  True sound speed c [m/s].
   /// @param bias         b [s].
-  /// @param has_array    Whether beams receive beside the fan through side lobes.
-  ReceptionShift(const SonarConfig& cells, double range_scale, double sound_speed, double bias, bool has_array);
+  /// @param has_array    Whether beams hear beside the fan by their side lobes.
+  ReceptionShift(const BearingCells& cells, const SonarConfig& sonar, double range_scale, double sound_speed,
+                 double bias, bool has_array);
 
   /// Computes sources() for one ping. Allocates at the first only.
   void prepare(const PingMotion& motion, Workers& workers);
@@ -50,11 +53,16 @@ class ReceptionShift {
   [[nodiscard]] double parallax(double azimuth) const;
   void prepare_cell(int cell);
 
-  SonarConfig cells_config_;
-  int cells_, bins_;
+  [[nodiscard]] double range_at(double bin) const {  // Reported range [m].
+    return min_range_ + bin * bin_length_;
+  }
+
+  BearingGrid cells_;
+  int bins_;
+  double min_range_, bin_length_, elevation_;  // Reported [m], and the middle of the elevation aperture [rad].
+  bool uneven_;                                // Whether cells have different widths, between which none moves.
   double range_scale_, sound_speed_, bias_;
   bool has_array_;
-  std::vector<double> edges_;  // Azimuths of the cells' edges, falling [rad].
   PingMotion motion_;
   std::vector<std::int32_t> source_;  // [cell][bin], see sources().
 };

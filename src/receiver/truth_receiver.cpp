@@ -70,9 +70,8 @@ void add_row(int count, const float* __restrict__ row, float* __restrict__ sums)
 TruthReceiver::TruthReceiver(const SonarConfig& sonar, const BearingCells& cells, std::span<const float> cell_angles)
     : beams_(sonar.beam_count),
       bins_(sonar.bin_count),
-      cells_(cells.sonar.beam_count),
-      first_cell_(cells.first),
-      cells_per_beam_(cells.per_beam),
+      cells_(cells.grid.count()),
+      own_(cells),
       middle_elevation_(static_cast<float>(sonar.elevation_center)),
       beam_angle_(beams_) {
   for (int beam = 0; beam < beams_; ++beam) {
@@ -223,9 +222,8 @@ void TruthReceiver::write_truth_tile(const EchoGrid& grid, const TilePlace& plac
 // Corrects the path order and shadow of the bin of a discrete echo. A direct echo proves that its bin is in line of
 // sight: its shadow becomes 0.
 void TruthReceiver::write_discrete_echo(const EchoGrid& grid, const DiscreteEcho& echo, Ping& ping) const {
-  const int own = echo.beam - first_cell_;
-  const int beam = own / cells_per_beam_;
-  if (echo.order == 0 || own < 0 || beam >= beams_) {
+  const int beam = echo.order == 0 ? -1 : own_.beam_of(echo.beam);
+  if (beam < 0) {
     return;
   }
   float most = 0;

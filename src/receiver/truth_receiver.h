@@ -64,12 +64,13 @@ class TruthReceiver {
   // Calls visit(cell) for the cells of a beam's own slice.
   template <typename Visit>
   void for_each_cell(int beam, Visit&& visit) const {
-    for (int cell = first_cell_ + beam * cells_per_beam_; cell < first_cell_ + (beam + 1) * cells_per_beam_; ++cell) {
+    for (int cell = own_.firsts[beam]; cell < own_.firsts[beam] + own_.per_beam; ++cell) {
       visit(cell);
     }
   }
 
-  int beams_, bins_, cells_, first_cell_, cells_per_beam_;
+  int beams_, bins_, cells_;
+  BearingCells own_;
   float middle_elevation_;                    // Elevation of the middle of the aperture [rad].
   std::vector<float> beam_angle_;             // [beam]: solid angle [sr].
   std::vector<Instances> instances_;          // [worker]: scratch.

@@ -52,6 +52,11 @@ void check_beams(const std::string& object, const ReceiverConfig& receiver, std:
   const BeamPattern elevation = sonar.elevation_pattern_beside(receiver);
   check_array(object, "elevation_pattern", elevation,
               [&] { return line_array(elevation, receiver.side_lobe_db, sonar.elevation_aperture); });
+  if (sonar.transmit_elevation_pattern != BeamPattern::kInstrument || sonar.transmit_elevation_aperture) {
+    const BeamPattern sent = sonar.sent_elevation_pattern(receiver);
+    check_array(fmt::format("sonars[{}]", index), "transmit_elevation_pattern", sent,
+                [&] { return line_array(sent, receiver.side_lobe_db, sonar.sent_elevation_aperture()); });
+  }
   if (sonar.transmit_width || sonar.element_width) {
     check_fan(fmt::format("sonars[{}]", index), sonar.transmit_width ? "transmit_width_deg" : "element_width_deg",
               "absent", index, sonar);

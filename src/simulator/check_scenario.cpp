@@ -146,9 +146,7 @@ void check_length(const Scenario& scenario) {
     throw Error("", scenario.duration ? "duration" : "turns",
                 fmt::format(" says when pings end, as pings = {} does; leave one out", scenario.pings));
   }
-  if (scenario.turns && std::ranges::none_of(scenario.sonars, [](const SonarConfig& sonar) {
-        return sonar.type == SonarType::kMechanicallyScanned;
-      })) {
+  if (scenario.turns && std::ranges::none_of(scenario.sonars, [](const SonarConfig& sonar) { return sonar.scans(); })) {
     throw Error("", "turns", " needs a scanning sonar (type: msis), and there is none; duration or pings takes any");
   }
 }

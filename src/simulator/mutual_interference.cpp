@@ -30,7 +30,7 @@ double bandwidth_of(const SonarConfig& sonar, const PulseSettings& pulse) {
 }
 
 bool is_top_hat_hit(const SonarConfig& sonar, double elevation) {
-  return std::abs(elevation - sonar.elevation_center) <= 0.5 * sonar.elevation_aperture;
+  return std::abs(elevation - sonar.elevation_center) <= 0.5 * sonar.sent_elevation_aperture();
 }
 
 }  // namespace
@@ -38,17 +38,16 @@ bool is_top_hat_hit(const SonarConfig& sonar, double elevation) {
 SendingSonar::SendingSonar(const SimulatedSonar& sonar, const ReceiverConfig& receiver)
     : sonar_(sonar.config),
       vehicle_from_housing_(sonar.vehicle_from_housing),
-      elevation_(sonar.plan->elevation_pattern),
+      beams_(sonar_.bearings()),
+      sent_axis_(sonar.plan->sent_axis),
+      sent_across_(sonar.plan->sent_across),
       transmitter_(sonar.config.transmit_width) {
   const PulseSettings pulse = sonar_.transmitted(receiver);
   duration_ = pulse.kind == PulseKind::kNone ? 2 * sonar_.bin_length() / *sonar_.assumed_sound_speed : pulse.duration;
   bandwidth_ = bandwidth_of(sonar_, pulse);
-  const std::vector<double> edges = sonar_.beam_edges();
-  port_edge_ = edges.front();
-  starboard_edge_ = edges.back();
-  if (sonar_.type == SonarType::kMechanicallyScanned && receiver.azimuth_pattern != BeamPattern::kTopHat) {
-    head_.emplace(receiving_array(receiver, sonar_));
-    head_length_ = head_->length(1, beam_width(sonar_));
+  if (sonar_.is_two_way() && receiver.azimuth_pattern != BeamPattern::kTopHat) {
+    array_.emplace(receiving_array(receiver, sonar_));
+    array_length_ = array_->length(1, beam_width(sonar_));
   }
 }
 
@@ -62,20 +61,22 @@ double SendingSonar::gain(std::uint64_t ping, const Vec3& direction) const {
   const Pose vehicle_from_head = vehicle_from_housing_ * housing_from_head(sonar_.head_angle(ping));
   const Vec3 local = vehicle_from_head.orientation.inverse() * direction;
   const double elevation = std::atan2(local.z(), std::hypot(local.x(), local.y()));
-  if (!elevation_ && !is_top_hat_hit(sonar_, elevation)) {
+  const bool has_pattern = !sent_across_.empty();
+  if (!has_pattern && !is_top_hat_hit(sonar_, elevation)) {
     return 0;
   }
-  const double across = elevation_ ? elevation_->intensity(elevation) : 1;
+  const double across = has_pattern ? sent_axis_.look_up(sent_across_, elevation) : 1;
   const double azimuth = std::atan2(local.y(), local.x());
   const bool is_behind = !(local.x() > 0);
-  if (head_) {
+  if (array_) {
     const double off = std::sin(azimuth) - std::sin(sonar_.beam_azimuth(0));
-    return is_behind ? 0 : across * head_->intensity(head_length_ * off);
+    return is_behind ? 0 : across * array_->intensity(array_length_ * off);
   }
   if (!transmitter_.is_flat()) {
     return is_behind ? 0 : across * transmitter_.intensity(std::sin(azimuth));
   }
-  return azimuth <= port_edge_ && azimuth >= starboard_edge_ ? across : 0;
+  const int beam = beams_.last_before(azimuth, 0);
+  return azimuth <= beams_.port[beam] && azimuth >= beams_.starboard[beam] ? across : 0;
 }
 
 MutualInterference::MutualInterference(std::span<const SendingSonar> senders, std::string_view receiving,
@@ -103,7 +104,7 @@ void MutualInterference::ask(const PingView& view, Workers&, RayList& rays) {
 
 void MutualInterference::answer(const PingView& view, const RayAnswers& hits, Workers&, RayList&, EchoList& found) {
   const PingPlan& plan = *view.plan;
-  const double sound_speed = 2 * plan.sonar.frequency / plan.turns_per_metre;
+  const double sound_speed = 2 * plan.frequency / plan.turns_per_metre;
   const double listening = 2 * double{plan.true_max_range} / sound_speed;
   for (std::size_t i = 0; i < hits.sights.size(); ++i) {
     if (!hits.is_clear(i)) {
@@ -114,8 +115,8 @@ void MutualInterference::answer(const PingView& view, const RayAnswers& hits, Wo
     const Vec3 there = view.world_from_vehicle * sender.place() - view.world_from_sonar.position;
     const PingPlan::Arrival arrival = plan.arrival_from(direction);
     const Vec3 towards = view.world_from_vehicle.orientation.inverse() * -there / range;
-    const double arriving = std::pow(10.0, (sender.source_level_db() - plan.sonar.source_level_db) / 10) *
-                            sender.share_within(senders_[own_]) * double{arrival.pattern} / (range * range) *
+    const double arriving = std::pow(10.0, (sender.source_level_db() - plan.source_level_db) / 10) *
+                            sender.share_within(senders_[own_]) * double{arrival.received} / (range * range) *
                             std::exp(-2 * double{plan.neper_per_metre} * range) * hits.passed(i);
     const double delay = range / sound_speed - view.time;  // When a pulse sent at time 0 arrives [s].
     const double earliest = std::ceil(-(delay + sender.duration()) / sender.period());

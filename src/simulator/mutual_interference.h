@@ -44,11 +44,12 @@ class SendingSonar {
   SonarConfig sonar_;
   Pose vehicle_from_housing_;
   double duration_ = 0, bandwidth_ = 0;
-  double port_edge_ = 0, starboard_edge_ = 0;  // Azimuths of the fan's edges [rad].
-  std::optional<ElevationPattern> elevation_;
+  BearingGrid beams_;
+  PatternAxis sent_axis_;
+  std::vector<float> sent_across_;  // Across elevations, see PingPlan; empty for a top hat.
   FanPattern transmitter_;
-  std::optional<ArrayPattern> head_;  // One-way pattern of a scanning head.
-  double head_length_ = 0;            // [wavelengths]
+  std::optional<ArrayPattern> array_;  // One-way pattern of an array that transmits.
+  double array_length_ = 0;            // [wavelengths]
 };
 
 /// Pulses of all other sonars of a scenario that arrive during the ping of one, as discrete echoes, if the path is

@@ -10,7 +10,8 @@ namespace insonify {
 bool Scenario::has_even_rows(const SonarConfig& sonar) const {
   const ReceiverConfig& own = receiver_of(sonar);
   return model == EchoModel::kPaper ||
-         (own.beam_shape == BeamShape::kWedge && sonar.elevation_pattern_beside(own) == BeamPattern::kTopHat);
+         (own.beam_shape == BeamShape::kWedge && sonar.elevation_pattern_beside(own) == BeamPattern::kTopHat &&
+          sonar.sent_elevation_pattern(own) == BeamPattern::kTopHat);
 }
 
 Water Scenario::water_at(const SonarConfig& sonar) const {
@@ -45,12 +46,12 @@ std::uint64_t Scenario::ping_count(const SonarConfig& sonar) const {
   const auto pings_of_turns = [&](const SonarConfig& head) {
     return pings_before(*turns * static_cast<double>(head.pings_per_turn()), 1);
   };
-  if (sonar.type == SonarType::kMechanicallyScanned) {
+  if (sonar.scans()) {
     return pings_of_turns(sonar);
   }
   double longest = 0;
   for (const SonarConfig& head : sonars) {
-    if (head.type == SonarType::kMechanicallyScanned) {
+    if (head.scans()) {
       longest = std::max(longest, static_cast<double>(pings_of_turns(head)) * *filled_in(head).ping_period);
     }
   }

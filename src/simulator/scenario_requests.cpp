@@ -115,7 +115,7 @@ void ScenarioRequests::fill_at(const SonarConfig& config, std::uint64_t number, 
     request.moved[i].world_from_object = motions_[i].trajectory.at(request.time);
   }
   request.head_angle.reset();
-  if (config.type == SonarType::kMechanicallyScanned) {
+  if (config.scans()) {
     request.head_angle = config.head_angle(number);
   }
 }

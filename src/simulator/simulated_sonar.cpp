@@ -36,26 +36,37 @@ SonarConfig steered_by_water(const Scenario& scenario, const SonarConfig& sonar)
   SonarConfig steered = sonar;
   steered.transmit_width.reset();
   steered.element_width.reset();
+  steered.transmit_elevation_pattern = BeamPattern::kInstrument;
+  steered.transmit_elevation_aperture.reset();
   return steered;
 }
 
-std::optional<ArraySettings> elevation_array(const ReceiverConfig& receiver, const SonarConfig& sonar) {
-  const BeamPattern pattern = sonar.elevation_pattern_beside(receiver);
+std::optional<ArraySettings> elevation_array(BeamPattern pattern, double side_lobe_db, double aperture) {
   if (pattern == BeamPattern::kTopHat) {
     return {};
   }
-  return line_array(pattern, receiver.side_lobe_db, sonar.elevation_aperture);
+  return line_array(pattern, side_lobe_db, aperture);
 }
 
-// One-way gains of a scanning head's array in its cells, as BearingResponse has them both ways.
-std::vector<float> head_gains(const ReceiverConfig& receiver, const SonarConfig& sonar, const BearingCells& cells) {
+// The transmitter across elevations; none where it is as the receiver.
+std::optional<ElevationWay> sent_across(const ReceiverConfig& receiver, const SonarConfig& sonar) {
+  const BeamPattern pattern = sonar.sent_elevation_pattern(receiver);
+  const double aperture = sonar.sent_elevation_aperture();
+  if (pattern == sonar.elevation_pattern_beside(receiver) && aperture == sonar.elevation_aperture) {
+    return {};
+  }
+  return ElevationWay{elevation_array(pattern, receiver.side_lobe_db, aperture), aperture};
+}
+
+// One-way gains of a two-way array in its cells, as BearingResponse has them both ways.
+std::vector<float> array_gains(const ReceiverConfig& receiver, const SonarConfig& sonar, const BearingCells& cells) {
   std::vector<float> gains;
-  if (sonar.type != SonarType::kMechanicallyScanned || receiver.azimuth_pattern == BeamPattern::kTopHat) {
+  if (!sonar.is_two_way() || receiver.azimuth_pattern == BeamPattern::kTopHat) {
     return gains;
   }
   const ArrayPattern array(receiving_array(receiver, sonar));
   const double length = array.length(1, beam_width(sonar)), middle = std::sin(sonar.beam_azimuth(0));
-  for (const double sine : BearingCells::sines(cells.sonar)) {
+  for (const double sine : cells.grid.sines()) {
     gains.push_back(static_cast<float>(array.intensity(length * (sine - middle))));
   }
   return gains;
@@ -63,8 +74,8 @@ std::vector<float> head_gains(const ReceiverConfig& receiver, const SonarConfig&
 
 std::vector<float> cell_angles(const PingPlan& plan) {
   std::vector<float> angles;
-  angles.reserve(plan.sonar.beam_count);
-  for (int cell = 0; cell < plan.sonar.beam_count; ++cell) {
+  angles.reserve(plan.beam_count);
+  for (int cell = 0; cell < plan.beam_count; ++cell) {
     angles.push_back(static_cast<float>(plan.lattice.beam_angle(cell)));
   }
   return angles;
@@ -76,11 +87,20 @@ int order_count(const Scenario& scenario) {
   return scenario.secondary == SecondaryEchoes::kNone ? 1 : std::min(most, scenario.max_surfaces);
 }
 
+std::vector<int> own_cells(const BearingCells& cells) {
+  std::vector<int> own;
+  for (const int first : cells.firsts) {
+    for (int cell = first; cell < first + cells.per_beam; ++cell) {
+      own.push_back(cell);
+    }
+  }
+  return own;
+}
+
 // Walks start in the sonar's own beams: on either side of a scanning head's beam there are cells that only receive.
 RandomWalks::Settings walk_settings(const Scenario& scenario, const SonarConfig& sonar, const BearingCells& cells) {
   return {.count = scenario.random_walks,
-          .first_beam = cells.first,
-          .beam_count = cells.per_beam * sonar.beam_count,
+          .beams = own_cells(cells),
           .seed = scenario.seed ^ (std::uint64_t{name_hash(sonar.name)} << 32)};
 }
 
@@ -108,14 +128,17 @@ SimulatedSonar::SimulatedSonar(const Scenario& scenario, const SonarConfig& sona
       cells(steered, receiver_of(scenario, config)) {
   const ReceiverConfig beams = receiver_of(scenario, config);
   const bool calibrated = scenario.model == EchoModel::kCalibrated;
-  plan = make_ping_plan({.sonar = cells.sonar,
+  plan = make_ping_plan({.sonar = steered,
+                         .cells = cells.grid,
+                         .columns_per_cell = cells.columns,
                          .water = scenario.water_at(config),
                          .model = scenario.model,
                          .paper = scenario.paper,
                          .materials = materials,
-                         .beam_shape = beams.beam_shape,
-                         .elevation_array = elevation_array(beams, config),
-                         .head_gains = calibrated ? head_gains(beams, steered, cells) : std::vector<float>{},
+                         .elevation_array = elevation_array(steered.elevation_pattern_beside(beams), beams.side_lobe_db,
+                                                            steered.elevation_aperture),
+                         .sent_across = sent_across(beams, steered),
+                         .array_gains = calibrated ? array_gains(beams, steered, cells) : std::vector<float>{},
                          .primary = scenario.primary,
                          .secondary = scenario.secondary,
                          .max_surfaces = scenario.max_surfaces,
@@ -145,7 +168,7 @@ void SimulatedSonar::add_receivers(const Scenario& scenario, std::span<const Mat
 }
 
 void SimulatedSonar::check(const PingRequest& request, bool moves) const {
-  if (request.head_angle && config.type != SonarType::kMechanicallyScanned) {
+  if (request.head_angle && !config.scans()) {
     throw Error(fmt::format("head_angle = {:.10g} rad belongs to a scanning sonar; this one's type is fls",
                             *request.head_angle));
   }

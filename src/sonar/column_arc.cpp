@@ -18,26 +18,28 @@ double arc_angle(double bearing, double elevation) {
 
 }  // namespace
 
-void ColumnArc::set(BeamShape shape, double bearing, const Sector& sector) {
+void ColumnArc::set(BeamShape shape, double bearing, const ElevationPatterns& patterns) {
   const bool wedge = shape == BeamShape::kWedge;
-  low_ = wedge ? sector.low : arc_angle(bearing, sector.low);
-  high_ = wedge ? sector.high : arc_angle(bearing, sector.high);
+  low_ = wedge ? patterns.low() : arc_angle(bearing, patterns.low());
+  high_ = wedge ? patterns.high() : arc_angle(bearing, patterns.high());
   const double step = (high_ - low_) / kSteps, cos_bearing = std::cos(bearing);
-  for (std::vector<double>* sums : {&rows_, &sent_, &received_}) {
+  for (std::vector<double>* sums : {&rows_, &sent_, &received_, &both_}) {
     sums->assign(kSteps + 1, 0.0);
   }
   for (int i = 0; i < kSteps; ++i) {
     const double t = low_ + (i + 0.5) * step;
     const double angle = step * (wedge ? std::cos(t) : 1);  // d(solid angle) = cos t da dt, or d(sin a) dt.
-    double one_way = 1, density = 1;
-    if (sector.pattern != nullptr) {
+    double sent = 1, received = 1, density = 1;
+    if (!patterns.is_top_hat()) {
       const double elevation = wedge ? t : std::asin(cos_bearing * std::sin(t));
-      one_way = sector.pattern->intensity(elevation);
-      density = sector.pattern->envelope(elevation);
+      received = gain_at(patterns.received(), elevation);
+      sent = patterns.differ() ? gain_at(patterns.sent(), elevation) : received;
+      density = patterns.envelope(elevation);
     }
     rows_[i + 1] = rows_[i] + step * density;
-    sent_[i + 1] = sent_[i] + angle * one_way;
-    received_[i + 1] = received_[i] + angle * one_way * one_way;
+    sent_[i + 1] = sent_[i] + angle * sent;
+    received_[i + 1] = received_[i] + angle * received;
+    both_[i + 1] = both_[i] + angle * sent * received;
   }
 }
 

@@ -13,15 +13,9 @@ namespace insonify {
 /// lobe.
 class ColumnArc {
  public:
-  /// The insonified interval of elevations and its pattern.
-  struct Sector {
-    double low, high;                 ///< Elevations [rad].
-    const ElevationPattern* pattern;  ///< Null: gain and row density are constant.
-  };
-
-  /// Computes the arc of a column at a bearing [rad]. Where a cone does not reach the sector, the arc has zero length
-  /// and lies at the elevation nearest to it.
-  void set(BeamShape shape, double bearing, const Sector& sector);
+  /// Computes the arc of a column at a bearing [rad]. Where a cone does not reach the sector of the patterns, the arc
+  /// has zero length and lies at the elevation nearest to it.
+  void set(BeamShape shape, double bearing, const ElevationPatterns& patterns);
 
   // Edges of t, the angle along the arc (see Lattice) [rad].
   [[nodiscard]] double low() const { return low_; }
@@ -30,16 +24,17 @@ class ColumnArc {
   /// The t below which a share 0..1 of the rows lies; row density is proportional to the pattern's envelope.
   [[nodiscard]] double at_share(double share) const;
 
-  /// Solid angle below t per unit of Lattice::column_measure, weighted by |p|^2 (transmission) and by |p|^4
-  /// (transmission and reception); unweighted without a pattern.
+  /// Solid angle below t per unit of Lattice::column_measure, weighted by the gain of transmission, of reception, and
+  /// of both; unweighted with top hats.
   [[nodiscard]] double sent_below(double t) const { return integral(sent_, t); }
   [[nodiscard]] double received_below(double t) const { return integral(received_, t); }
+  [[nodiscard]] double both_below(double t) const { return integral(both_, t); }
 
  private:
   [[nodiscard]] double integral(const std::vector<double>& sums, double t) const;
 
   double low_ = 0, high_ = 0;
-  std::vector<double> rows_, sent_, received_;  // Cumulative integrals at the end of each step.
+  std::vector<double> rows_, sent_, received_, both_;  // Cumulative integrals at the end of each step.
 };
 
 }  // namespace insonify

@@ -13,14 +13,9 @@ constexpr int kTableSteps = 8192;                   // Steps of the tables.
 constexpr double kLobeStep = 0.02;                  // Search step [wavelength / L], a small part of a lobe.
 constexpr double kWidest = 0.5 * std::numbers::pi;  // Largest angle off the axis [rad].
 
-// The floor as a one-way intensity gain.
-double floor_intensity() {
-  return std::pow(10, 0.5 * ElevationPattern::kFloorDb / 10);
-}
-
 // The angle off the axis beyond which the pattern stays below the floor; at most `edge` [rad].
-double outermost(const ArrayPattern& pattern, double length, double edge) {
-  const double step = kLobeStep / length, floor = floor_intensity();
+double outermost(const ArrayPattern& pattern, double length, double floor, double edge) {
+  const double step = kLobeStep / length;
   double u = std::sin(edge);
   if (pattern.intensity(length * u) >= floor) {
     return edge;
@@ -33,25 +28,23 @@ double outermost(const ArrayPattern& pattern, double length, double edge) {
 
 }  // namespace
 
-ElevationPattern::ElevationPattern(const ArraySettings& array, const SonarConfig& sonar) {
+ElevationPattern::ElevationPattern(const ArraySettings& array, double aperture, double center, double floor_db) {
   assert(!array.two_way);
   const ArrayPattern pattern(array);
-  const double length = pattern.length(1, sonar.elevation_aperture);
-  const double axis = sonar.elevation_center;
-  low_ = axis - outermost(pattern, length, std::min(kWidest, kSteepestElevation + axis));
-  high_ = axis + outermost(pattern, length, std::min(kWidest, kSteepestElevation - axis));
-  steps_per_radian_ = kTableSteps / (high_ - low_);
+  const double length = pattern.length(1, aperture), floor = std::pow(10, floor_db / 10);
+  const double low = center - outermost(pattern, length, floor, std::min(kWidest, kSteepestElevation + center));
+  high_ = center + outermost(pattern, length, floor, std::min(kWidest, kSteepestElevation - center));
+  axis_ = {low, kTableSteps / (high_ - low)};
 
-  const double floor = floor_intensity();
   intensity_.resize(kTableSteps + 1);
   envelope_.resize(kTableSteps + 1);
   for (int i = 0; i <= kTableSteps; ++i) {
-    const double elevation = low_ + i / steps_per_radian_;
-    intensity_[i] = static_cast<float>(pattern.intensity(length * std::sin(elevation - axis)));
+    const double elevation = low + i / axis_.steps_per_radian;
+    intensity_[i] = static_cast<float>(pattern.intensity(length * std::sin(elevation - center)));
     envelope_[i] = static_cast<float>(std::sqrt(std::max(static_cast<double>(intensity_[i]), floor)));
   }
   // The axis lies within the sector: elevation_center is nearer to level than the steepest elevation.
-  const int middle = static_cast<int>((axis - low_) * steps_per_radian_);
+  const int middle = static_cast<int>((center - low) * axis_.steps_per_radian);
   for (int i = 1; i <= middle; ++i) {
     envelope_[i] = std::max(envelope_[i], envelope_[i - 1]);
   }
@@ -60,10 +53,50 @@ ElevationPattern::ElevationPattern(const ArraySettings& array, const SonarConfig
   }
 }
 
-double ElevationPattern::look_up(const std::vector<float>& table, double elevation) const {
-  const double at = std::clamp((elevation - low_) * steps_per_radian_, 0.0, static_cast<double>(kTableSteps));
+double PatternAxis::look_up(const std::vector<float>& table, double elevation) const {
+  const double at = std::clamp((elevation - low) * steps_per_radian, 0.0, static_cast<double>(kTableSteps));
   const int below = std::min(static_cast<int>(at), kTableSteps - 1);
   return std::lerp(static_cast<double>(table[below]), static_cast<double>(table[below + 1]), at - below);
+}
+
+ElevationPatterns::ElevationPatterns(const ElevationWay& received, const std::optional<ElevationWay>& sent,
+                                     double center)
+    : differ_(sent.has_value()), half_(0.5 * std::min(received.aperture, sent.value_or(received).aperture)) {
+  // Where the two differ, one may still count where the other is weak: each goes down to the floor of the product.
+  const double floor_db = differ_ ? ElevationPattern::kFloorDb : 0.5 * ElevationPattern::kFloorDb;
+  const auto limit = [&](const ElevationWay& way, std::optional<ElevationPattern>& pattern) {
+    if (way.array) {
+      pattern.emplace(*way.array, way.aperture, center, floor_db);
+    }
+    const double half = 0.5 * way.aperture;
+    low_ = std::max(low_, pattern ? pattern->low() : center - half);
+    high_ = std::min(high_, pattern ? pattern->high() : center + half);
+  };
+  limit(received, received_);
+  if (differ_) {
+    limit(*sent, sent_);
+    cut_to_floor();
+  }
+}
+
+void ElevationPatterns::cut_to_floor() {
+  const double step = (high_ - low_) / kTableSteps, floor = std::pow(10, ElevationPattern::kFloorDb / 10);
+  const auto is_weak = [&](double elevation) {
+    return gain_at(sent(), elevation) * gain_at(received(), elevation) < floor;
+  };
+  while (low_ < high_ && is_weak(low_)) {
+    low_ += step;
+  }
+  while (low_ < high_ && is_weak(high_)) {
+    high_ -= step;
+  }
+}
+
+double ElevationPatterns::envelope(double elevation) const {
+  const auto of = [&](const ElevationPattern* pattern) {
+    return pattern != nullptr ? pattern->envelope(elevation) : 1;
+  };
+  return differ_ ? std::sqrt(of(sent()) * of(received())) : of(received());
 }
 
 }  // namespace insonify

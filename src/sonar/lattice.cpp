@@ -25,14 +25,12 @@ float to_float(double value) {
   return static_cast<float>(value);
 }
 
-void make_columns(const SonarConfig& sonar, Lattice& lattice) {
-  const std::vector<double> edges = sonar.beam_edges();
-  const FanPattern transmitter(sonar.transmit_width);
+void make_columns(const BearingGrid& bearings, const FanPattern& transmitter, Lattice& lattice) {
   const int per_beam = lattice.columns_per_beam;
   for (int column = 0; column < lattice.columns; ++column) {
     const int beam = column / per_beam;
-    const double width = (edges[beam] - edges[beam + 1]) / per_beam;
-    const double azimuth = edges[beam] - (column % per_beam + 0.5) * width;
+    const double width = bearings.width(beam) / per_beam;
+    const double azimuth = bearings.port[beam] - (column % per_beam + 0.5) * width;
     const double half = 0.5 * width;
     lattice.azimuth.push_back(to_float(azimuth));
     lattice.cos_azimuth.push_back(to_float(std::cos(azimuth)));
@@ -43,6 +41,7 @@ void make_columns(const SonarConfig& sonar, Lattice& lattice) {
     const double sent = transmitter.intensity(std::sin(azimuth));
     lattice.transmitted.push_back(to_float(sent));
     lattice.column_measure.push_back(to_float(sent * measure));
+    lattice.touching.push_back(column % per_beam + 1 < per_beam || !bearings.gap_after(beam) ? 1 : 0);
   }
 }
 
@@ -50,37 +49,53 @@ void make_columns(const SonarConfig& sonar, Lattice& lattice) {
 struct RowSet {
   std::vector<double> ts;
   double cos_bearing;  // sin(elevation) = cos_bearing sin t; 1 for a wedge.
-  const ElevationPattern* pattern;
+  const ElevationPatterns& patterns;
 };
 
+// What a sample of the rows' intervals represents, see Lattice::share.
+std::vector<float> shares_of(const std::vector<float>& intervals) {
+  std::vector<float> shares;
+  const std::size_t rows = intervals.size() - 1;
+  for (std::size_t row = 0; row < rows; ++row) {
+    const float below = row == 0 ? intervals[0] : 0.5F * intervals[row];
+    const float above = row + 1 == rows ? intervals[row + 1] : 0.5F * intervals[row + 1];
+    shares.push_back(below + above);
+  }
+  return shares;
+}
+
 // Appends a set of rows to the lattice's tables.
-// @param sent_below, received_below  Integrals up to t of the solid angle, see ColumnArc.
-void add_row_set(const RowSet& set, const auto& sent_below, const auto& received_below, Lattice& lattice) {
+// @param sent_below, received_below, both_below  Integrals up to t of the solid angle, see ColumnArc.
+void add_row_set(const RowSet& set, const auto& sent_below, const auto& received_below, const auto& both_below,
+                 Lattice& lattice) {
   const int rows = lattice.rows;
   const auto& ts = set.ts;
   lattice.edges.push_back({to_float(std::cos(ts.front())), to_float(std::sin(ts.front())),
                            to_float(std::cos(ts.back())), to_float(std::sin(ts.back()))});
-  std::vector<float> sent;
+  std::vector<float> sent, received;
   for (int i = 1; i <= rows + 1; ++i) {
-    lattice.interval.push_back(to_float(received_below(ts[i]) - received_below(ts[i - 1])));
+    lattice.interval.push_back(to_float(both_below(ts[i]) - both_below(ts[i - 1])));
     sent.push_back(to_float(sent_below(ts[i]) - sent_below(ts[i - 1])));
+    received.push_back(to_float(received_below(ts[i]) - received_below(ts[i - 1])));
   }
+  const std::vector<float> sent_shares = shares_of(sent), received_shares = shares_of(received);
+  lattice.share.insert(lattice.share.end(), sent_shares.begin(), sent_shares.end());
   for (int row = 0; row < rows; ++row) {
     const double t = ts[row + 1];
     const double elevation = lattice.shape == BeamShape::kWedge ? t : std::asin(set.cos_bearing * std::sin(t));
     lattice.elevation.push_back(to_float(elevation));
     lattice.cos_t.push_back(to_float(std::cos(t)));
     lattice.sin_t.push_back(to_float(std::sin(t)));
-    lattice.row_pattern.push_back(set.pattern != nullptr ? to_float(set.pattern->intensity(elevation)) : 1.0F);
-    const float below_row = row == 0 ? sent[0] : 0.5F * sent[row];
-    const float above_row = row + 1 == rows ? sent[row + 1] : 0.5F * sent[row + 1];
-    lattice.share.push_back(below_row + above_row);
+    lattice.row_pattern.push_back(to_float(gain_at(set.patterns.received(), elevation)));
+    const bool same = !set.patterns.differ() || sent_shares[row] == received_shares[row];
+    lattice.reciprocal.push_back(same ? 1.0F : received_shares[row] / sent_shares[row]);
   }
 }
 
 // Adds one set of rows per stagger phase, evenly spaced in slope.
-void make_even_rows(double middle, double half, Lattice& lattice) {
+void make_even_rows(double middle, const ElevationPatterns& patterns, Lattice& lattice) {
   const int phases = lattice.columns_per_beam;
+  const double half = patterns.half();
   const double first = std::tan(-half);
   const double step = (std::tan(half) - first) / lattice.rows;
   const auto sine = [](double t) { return std::sin(t); };
@@ -89,40 +104,38 @@ void make_even_rows(double middle, double half, Lattice& lattice) {
   lattice.slope_step = to_float(step);
   for (int phase = 0; phase < phases; ++phase) {
     lattice.first_slopes.push_back(to_float(first + step * (phase + 0.5) / phases));
-    RowSet set{{middle - half}, 1, nullptr};
+    RowSet set{{middle - half}, 1, patterns};
     for (int row = 0; row < lattice.rows; ++row) {
       set.ts.push_back(middle + std::atan(first + step * (row + (phase + 0.5) / phases)));
     }
     set.ts.push_back(middle + half);
-    add_row_set(set, sine, sine, lattice);
+    add_row_set(set, sine, sine, sine, lattice);
   }
 }
 
 // Adds a set of rows with the row density of an arc.
-void make_rows_along(const ColumnArc& arc, int phase, double cos_bearing, const ElevationPattern* pattern,
+void make_rows_along(const ColumnArc& arc, int phase, double cos_bearing, const ElevationPatterns& patterns,
                      Lattice& lattice) {
-  RowSet set{{arc.low()}, cos_bearing, pattern};
+  RowSet set{{arc.low()}, cos_bearing, patterns};
   for (int row = 0; row < lattice.rows; ++row) {
     set.ts.push_back(arc.at_share((row + (phase + 0.5) / lattice.columns_per_beam) / lattice.rows));
   }
   set.ts.push_back(arc.high());
   add_row_set(
-      set, [&](double t) { return arc.sent_below(t); }, [&](double t) { return arc.received_below(t); }, lattice);
+      set, [&](double t) { return arc.sent_below(t); }, [&](double t) { return arc.received_below(t); },
+      [&](double t) { return arc.both_below(t); }, lattice);
 }
 
 }  // namespace
 
-Lattice::Lattice(const SonarConfig& sonar, int first_phase, BeamShape beam_shape, const ElevationPattern* pattern)
-    : shape(beam_shape),
-      even_rows(beam_shape == BeamShape::kWedge && pattern == nullptr),
-      columns(sonar.beam_count * sonar.sampling.columns_per_beam.value_or(Sampling::kColumns)),
-      rows(sonar.sampling.rows.value_or(Sampling::kRows)),
-      columns_per_beam(sonar.sampling.columns_per_beam.value_or(Sampling::kColumns)) {
-  make_columns(sonar, *this);
-  const double half = 0.5 * sonar.elevation_aperture;
-  const ColumnArc::Sector sector =
-      pattern != nullptr ? ColumnArc::Sector{pattern->low(), pattern->high(), pattern}
-                         : ColumnArc::Sector{sonar.elevation_center - half, sonar.elevation_center + half, nullptr};
+Lattice::Lattice(const BearingGrid& bearings, int columns_of_each, const SonarConfig& sonar,
+                 const ElevationPatterns& patterns, int first_phase) {
+  shape = bearings.shape;
+  even_rows = shape == BeamShape::kWedge && patterns.is_top_hat();
+  columns = bearings.count() * columns_of_each;
+  rows = sonar.sampling.rows.value_or(Sampling::kRows);
+  columns_per_beam = columns_of_each;
+  make_columns(bearings, FanPattern(sonar.transmit_width), *this);
   const int phases = columns_per_beam, stride = stagger_stride(phases);
   const auto phase_of = [&](int column) {
     return (first_phase + std::min(column, columns - 1 - column) * stride) % phases;
@@ -131,18 +144,18 @@ Lattice::Lattice(const SonarConfig& sonar, int first_phase, BeamShape beam_shape
   if (shape == BeamShape::kCone) {
     // Each column's edges are its own.
     for (int column = 0; column < columns; ++column) {
-      arc.set(shape, static_cast<double>(azimuth[column]), sector);
-      make_rows_along(arc, phase_of(column), std::cos(static_cast<double>(azimuth[column])), pattern, *this);
+      arc.set(shape, static_cast<double>(azimuth[column]), patterns);
+      make_rows_along(arc, phase_of(column), std::cos(static_cast<double>(azimuth[column])), patterns, *this);
       row_set.push_back(static_cast<std::uint32_t>(column));
     }
     return;
   }
   if (even_rows) {
-    make_even_rows(sonar.elevation_center, half, *this);
+    make_even_rows(sonar.elevation_center, patterns, *this);
   } else {
-    arc.set(shape, 0, sector);
+    arc.set(shape, 0, patterns);
     for (int phase = 0; phase < phases; ++phase) {
-      make_rows_along(arc, phase, 1, pattern, *this);
+      make_rows_along(arc, phase, 1, patterns, *this);
     }
   }
   for (int column = 0; column < columns; ++column) {

@@ -96,10 +96,34 @@ void check_beam_azimuths(std::string_view object, const SonarConfig& sonar) {
                        degrees(azimuths[beam]), beam - 1, degrees(azimuths[beam - 1])));
     }
   }
-  const std::vector<double> edges = sonar.beam_edges();
-  if (edges.front() - edges.back() > kFullCircle + kAngleSlack) {
-    fail(object, "beam_azimuths_deg",
-         fmt::format(" make a fan of {}, must be at most 360 deg", degrees(edges.front() - edges.back())));
+  const double extent = sonar.bearings().extent();
+  if (extent > kFullCircle + kAngleSlack) {
+    fail(object, "beam_azimuths_deg", fmt::format(" make a fan of {}, must be at most 360 deg", degrees(extent)));
+  }
+}
+
+void check_beam_widths(std::string_view object, const SonarConfig& sonar) {
+  const std::size_t widths = sonar.beam_widths.size();
+  if (widths == 0) {
+    return;
+  }
+  if (sonar.scans()) {
+    fail(object, "beam_widths_deg", " belongs to a fan; the beam of a msis is as wide as azimuth_aperture_deg",
+         {"type"});
+  }
+  if (widths != 1 && widths != static_cast<std::size_t>(sonar.beam_count)) {
+    fail(object, "beam_widths_deg",
+         fmt::format(" has {} widths, must have one for all or one for each of beam_count = {}", widths,
+                     sonar.beam_count),
+         {"beam_count"});
+  }
+  const BearingGrid beams = sonar.bearings();
+  for (int beam = 0; beam + 1 < sonar.beam_count; ++beam) {
+    if (beams.port[beam + 1] > beams.starboard[beam]) {
+      fail(object, "beam_widths_deg",
+           fmt::format(" must not make beams overlap: beam {} ends at {}, beam {} begins at {}", beam,
+                       degrees(beams.starboard[beam]), beam + 1, degrees(beams.port[beam + 1])));
+    }
   }
 }
 
@@ -129,10 +153,17 @@ void check_elevations(std::string_view object, const SonarConfig& sonar) {
                      degrees(sonar.elevation_center), degrees(sonar.elevation_aperture), degrees(steepest)),
          {"elevation_aperture_deg"});
   }
+  const double sent = std::abs(sonar.elevation_center) + sonar.sent_elevation_aperture() / 2;
+  if (sent > kSteepestElevation + kAngleSlack) {
+    fail(object, "transmit_elevation_aperture_deg",
+         fmt::format(" = {} with elevation_center_deg = {} reaches {}, must stay within 89 deg of level",
+                     degrees(sonar.sent_elevation_aperture()), degrees(sonar.elevation_center), degrees(sent)),
+         {"elevation_center_deg"});
+  }
 }
 
 void check_head(std::string_view object, const SonarConfig& sonar) {
-  if (sonar.type != SonarType::kMechanicallyScanned) {
+  if (!sonar.scans()) {
     return;
   }
   if (sonar.beam_count != 1) {
@@ -141,12 +172,13 @@ void check_head(std::string_view object, const SonarConfig& sonar) {
                      sonar.beam_count),
          {"type"});
   }
-  if (sonar.step == 0) {
+  if (sonar.head.step == 0) {
     fail(object, "step_deg", " = 0 deg must not be 0 for type msis", {"type"});
   }
-  if (sonar.sector_width < std::abs(sonar.step) - kAngleSlack) {
+  if (sonar.head.sector_width < std::abs(sonar.head.step) - kAngleSlack) {
     fail(object, "sector_width_deg",
-         fmt::format(" = {} must be at least one step_deg = {}", degrees(sonar.sector_width), degrees(sonar.step)),
+         fmt::format(" = {} must be at least one step_deg = {}", degrees(sonar.head.sector_width),
+                     degrees(sonar.head.step)),
          {"step_deg"});
   }
 }
@@ -155,9 +187,20 @@ void check_transducers(std::string_view object, const SonarConfig& sonar) {
   if (sonar.elevation_pattern == BeamPattern::kInstrument) {
     fail(object, "elevation_pattern", " = instrument must be top_hat or a window: it is the instrument's");
   }
-  if (sonar.type == SonarType::kMechanicallyScanned && (sonar.transmit_width || sonar.element_width)) {
-    fail(object, sonar.transmit_width ? "transmit_width_deg" : "element_width_deg",
-         " belongs to a fan; this one's type is msis, whose azimuth_pattern applies both ways", {"type"});
+  const bool has_width = sonar.transmit_width || sonar.element_width;
+  const char* const width = sonar.transmit_width ? "transmit_width_deg" : "element_width_deg";
+  if (sonar.scans() && has_width) {
+    fail(object, width, " belongs to a fan; this one's type is msis, whose azimuth_pattern applies both ways",
+         {"type"});
+  }
+  if (sonar.two_way_array && has_width) {
+    fail(object, width, " belongs to a transmitter of its own; with two_way_array the array transmits",
+         {"two_way_array"});
+  }
+  if (sonar.two_way_array && sonar.beam_count != 1) {
+    fail(object, "two_way_array",
+         fmt::format(" = true transmits one beam, must be false with beam_count = {}", sonar.beam_count),
+         {"beam_count"});
   }
 }
 
@@ -209,8 +252,7 @@ Sampling SonarConfig::sampling_by_rule() const {
   constexpr int kLeastColumns = 2, kMostColumns = 64;
   constexpr int kLeastRows = 128, kMostRows = 1024, kTogether = 16;  // Rows of a packet of rays.
   constexpr double kTallestRow = 2.0 / 70;  // Tangent from row to row, with which 170 degrees have some 800.
-  const std::vector<double> edges = beam_edges();
-  const double columns = std::ceil((edges.front() - edges.back()) / (beam_count * kColumn) - 1e-9);
+  const double columns = std::ceil(bearings().covered() / (beam_count * kColumn) - 1e-9);
   const double rows = std::max(0.5 * bin_count, 2 * std::tan(0.5 * elevation_aperture) / kTallestRow);
   const int packets = static_cast<int>(std::ceil(std::min<double>(rows, kMostRows) / kTogether));
   Sampling chosen = sampling;
@@ -220,54 +262,27 @@ Sampling SonarConfig::sampling_by_rule() const {
   return chosen;
 }
 
-std::vector<double> SonarConfig::beam_edges() const {
-  std::vector<double> edges(static_cast<std::size_t>(beam_count) + 1);
-  if (beam_azimuths.size() < 2) {
-    const double middle = beam_azimuths.empty() ? 0 : beam_azimuths.front();
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-      edges[i] = middle + azimuth_aperture * (0.5 - static_cast<double>(i) / beam_count);
+BearingGrid SonarConfig::bearings() const {
+  const double middle = beam_azimuths.empty() ? 0 : beam_azimuths.front();
+  BearingGrid grid = beam_azimuths.size() < 2 ? BearingGrid::even(middle, azimuth_aperture, beam_count)
+                                              : BearingGrid::touching(beam_azimuths);
+  for (int beam = 0; beam < grid.count() && !beam_widths.empty(); ++beam) {
+    const double width = beam_widths[std::min<std::size_t>(beam, beam_widths.size() - 1)];
+    grid.port[beam] = grid.centres[beam] + 0.5 * width;
+    grid.starboard[beam] = grid.centres[beam] - 0.5 * width;
+    if (beam > 0 && std::abs(grid.starboard[beam - 1] - grid.port[beam]) < kAngleSlack) {
+      grid.port[beam] = grid.starboard[beam - 1];  // They touch, but for rounding.
     }
-    return edges;
   }
-  for (std::size_t i = 1; i + 1 < edges.size(); ++i) {
-    edges[i] = (beam_azimuths[i - 1] + beam_azimuths[i]) / 2;
-  }
-  edges.front() = 2 * beam_azimuths.front() - edges[1];
-  edges.back() = 2 * beam_azimuths.back() - edges[edges.size() - 2];
-  return edges;
+  return grid;
 }
 
 Pose SonarConfig::vehicle_from_sonar() const {
   Pose pose{position, orientation_from_rpy(orientation.x(), orientation.y(), orientation.z())};
-  if (mounting == Mounting::kVertical) {
+  if (head.mounting == Mounting::kVertical) {
     pose.orientation = pose.orientation * Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitX());
   }
   return pose;
-}
-
-double SonarConfig::head_angle(std::uint64_t ping) const {
-  if (type != SonarType::kMechanicallyScanned) {
-    return 0;
-  }
-  if (sector_width > kFullCircle - kAngleSlack) {
-    return sector_center + static_cast<double>(ping) * step;
-  }
-  // To and fro over `steps` steps: 0 1 2 .. steps .. 2 1 0 1 ..
-  const auto steps = static_cast<std::uint64_t>((sector_width + kAngleSlack) / std::abs(step));
-  const std::uint64_t phase = ping % (2 * steps);
-  const std::uint64_t position_in_sector = std::min(phase, 2 * steps - phase);
-  const double start = sector_center - std::copysign(sector_width / 2, step);
-  return start + static_cast<double>(position_in_sector) * step;
-}
-
-std::uint64_t SonarConfig::pings_per_turn() const {
-  if (type != SonarType::kMechanicallyScanned) {
-    return 1;
-  }
-  if (sector_width > kFullCircle - kAngleSlack) {
-    return static_cast<std::uint64_t>(std::ceil(kFullCircle / std::abs(step) - kAngleSlack));
-  }
-  return 1 + static_cast<std::uint64_t>((sector_width + kAngleSlack) / std::abs(step));
 }
 
 void SonarConfig::validate(std::string_view object) const {
@@ -277,6 +292,7 @@ void SonarConfig::validate(std::string_view object) const {
   check_cells(object, *this);
   check_channels(object, *this);
   check_beam_azimuths(object, *this);
+  check_beam_widths(object, *this);
   check_elevations(object, *this);
   check_head(object, *this);
   check_pulse(object, *this);

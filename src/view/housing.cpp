@@ -8,7 +8,7 @@
 namespace insonify {
 
 Housing::Housing(const SonarConfig& sonar, const Pose& world_from_sonar, double radius) : radius_(radius) {
-  const bool scans = sonar.type == SonarType::kMechanicallyScanned;
+  const bool scans = sonar.scans();
   world_from_housing_ = world_from_sonar;
   if (!scans) {  // Turns z onto the acoustic axis.
     world_from_housing_.orientation =

@@ -21,12 +21,12 @@ InsonifiedSector::InsonifiedSector(const SonarConfig& sonar, const Pose& world_f
       high_elevation_(sonar.elevation_center + sonar.elevation_aperture / 2),
       min_range_(sonar.min_range),
       max_range_(sonar.max_range) {
-  const std::vector<double> edges = sonar.beam_edges();
-  low_azimuth_ = edges.back();
-  high_azimuth_ = edges.front();
-  if (sonar.type == SonarType::kMechanicallyScanned) {
-    low_azimuth_ += sonar.sector_center - sonar.sector_width / 2;
-    high_azimuth_ += sonar.sector_center + sonar.sector_width / 2;
+  const BearingGrid beams = sonar.bearings();
+  low_azimuth_ = beams.starboard.back();
+  high_azimuth_ = beams.port.front();
+  if (sonar.scans()) {
+    low_azimuth_ += sonar.head.sector_center - sonar.head.sector_width / 2;
+    high_azimuth_ += sonar.head.sector_center + sonar.head.sector_width / 2;
   }
   full_circle_ = high_azimuth_ - low_azimuth_ > kTwoPi - 1e-6;
   if (full_circle_) {

@@ -41,12 +41,12 @@ TEST(PingPlanTest, BeamsMeetAtTheirEdges) {
   sonar.azimuth_aperture = 50 * kDegree;
   const auto plan = make_ping_plan({.sonar = sonar});
   for (int beam = 0; beam < 5; ++beam) {
-    EXPECT_NEAR(plan->beam_edge(beam) / kDegree, 25 - 10 * beam, 1e-5);
-    EXPECT_EQ(plan->beam_of(plan->beam_edge(beam)), beam);
-    EXPECT_EQ(plan->beam_of(plan->beam_edge(beam) - 1e-4F), beam);
+    EXPECT_NEAR(plan->port_edges[beam] / kDegree, 25 - 10 * beam, 1e-5);
+    EXPECT_EQ(plan->beam_of(plan->port_edges[beam]), beam);
+    EXPECT_EQ(plan->beam_of(plan->port_edges[beam] - 1e-4F), beam);
   }
-  EXPECT_NEAR(plan->beam_edge(5) / kDegree, -25, 1e-5);
-  EXPECT_EQ(plan->beam_of(plan->beam_edge(5)), -1);
+  EXPECT_NEAR(plan->starboard_edges[4] / kDegree, -25, 1e-5);
+  EXPECT_EQ(plan->beam_of(plan->starboard_edges[4]), -1);
 }
 
 }  // namespace

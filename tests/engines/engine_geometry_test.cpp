@@ -48,7 +48,7 @@ TEST_P(EngineGeometryTest, WallLiesAtItsSlantRangeInEveryBeam) {
     const SceneMaker maker = SceneMaker().add_wall(distance);
     const SonarConfig sonar = wall_sonar();
     const EchoGrid grid = echoes(maker.scene(), sonar);
-    const std::vector<double> edges = sonar.beam_edges();
+    const std::vector<double> edges = sonar.bearings().edges();
     for (int beam = 0; beam < sonar.beam_count; ++beam) {
       const double a = distance / std::cos(edges[beam]);
       const double b = distance / std::cos(edges[beam + 1]);

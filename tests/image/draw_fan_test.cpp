@@ -28,7 +28,7 @@ SonarConfig small_sonar() {
 }
 
 FanShape shape_of(const SonarConfig& sonar) {
-  const std::vector<double> edges = sonar.beam_edges();
+  const std::vector<double> edges = sonar.bearings().edges();
   return {edges.back(), edges.front(), sonar.min_range, sonar.max_range, 0};
 }
 

@@ -171,7 +171,7 @@ TEST(PictureLayoutTest, AxesKeepTheirZero) {
   SonarConfig sonar = sonar_of(3, 20);
   sonar.type = SonarType::kMechanicallyScanned;
   sonar.beam_count = 1;
-  sonar.step = radians_from_degrees(1.8);
+  sonar.head.step = radians_from_degrees(1.8);
   ScanView view(sonar);
   view.add(ping_of(sonar));
   const Picture picture = view.draw_polar({.height = 240});
@@ -213,19 +213,20 @@ TEST(PictureLayoutTest, ScansFitToo) {
   SonarConfig sonar = sonar_of(3, 20);
   sonar.type = SonarType::kMechanicallyScanned;
   sonar.beam_count = 1;
-  sonar.step = radians_from_degrees(5);
+  sonar.head.step = radians_from_degrees(5);
   for (const int height : {240, 400}) {
     for (const double width_deg : {10.0, 60.0, 200.0, 360.0}) {
       for (const double center_deg : {0.0, 90.0, -170.0}) {
         for (const Mounting mounting : {Mounting::kHorizontal, Mounting::kVertical}) {
-          sonar.sector_width = radians_from_degrees(width_deg);
-          sonar.sector_center = radians_from_degrees(center_deg);
-          sonar.mounting = mounting;
+          sonar.head.sector_width = radians_from_degrees(width_deg);
+          sonar.head.sector_center = radians_from_degrees(center_deg);
+          sonar.head.mounting = mounting;
           ScanView view(sonar);
           Ping ping = ping_of(sonar);
-          ping.head_angle = sonar.sector_center;
+          ping.head_angle = sonar.head.sector_center;
           view.add(ping);
-          ping.head_angle = sonar.sector_center + sonar.sector_width;  // Where no head of this sonar can look.
+          ping.head_angle =
+              sonar.head.sector_center + sonar.head.sector_width;  // Where no head of this sonar can look.
           view.add(ping);
           EXPECT_TRUE(margin_is_free(view.draw({.height = height}), 3))
               << height << ' ' << width_deg << ' ' << center_deg;

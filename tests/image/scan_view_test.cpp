@@ -25,7 +25,7 @@ SonarConfig scanner(double step_deg) {
   sonar.azimuth_aperture = radians_from_degrees(4);
   sonar.min_range = 0;
   sonar.max_range = 10;
-  sonar.step = radians_from_degrees(step_deg);
+  sonar.head.step = radians_from_degrees(step_deg);
   return sonar;
 }
 
@@ -168,7 +168,7 @@ TEST(ScanViewTest, PortIsLeftAndAheadIsUp) {
 // right.
 TEST(ScanViewTest, AVerticalScanHasUpUp) {
   SonarConfig sonar = scanner(10);
-  sonar.mounting = Mounting::kVertical;
+  sonar.head.mounting = Mounting::kVertical;
   const Vec3 port = sonar.vehicle_from_sonar().orientation * Vec3::UnitY();
   EXPECT_NEAR(port.z(), 1, 1e-12);
   ScanView view(sonar);
@@ -182,7 +182,7 @@ TEST(ScanViewTest, AVerticalScanHasUpUp) {
 
 TEST(ScanViewTest, TheWaterfallRunsFromPortToStarboard) {
   SonarConfig sonar = scanner(10);
-  sonar.sector_width = radians_from_degrees(90);  // 100 degrees with the half steps at its ends, 533 pixels wide.
+  sonar.head.sector_width = radians_from_degrees(90);  // 100 degrees with the half steps at its ends, 533 pixels wide.
   ScanView view(sonar);
   view.add(ping_at(45, 0.25F));
   view.add(ping_at(35, 0.5F));

@@ -171,10 +171,10 @@ TEST(PresetTest, TheGemini720isLooksDown) {
 
 // A gradian is 0.9 degrees; the Micron's unit is a sixteenth of one, 0.05625 degrees, of which 0.9 degrees are 16.
 TEST(PresetTest, HeadsTurnBySteps) {
-  EXPECT_NEAR(degrees_from_radians(load_preset("bluerobotics-ping360").sonar.step), 0.9, kSheetTolerance);
+  EXPECT_NEAR(degrees_from_radians(load_preset("bluerobotics-ping360").sonar.head.step), 0.9, kSheetTolerance);
   const Preset micron = load_preset("tritech-micron-dst");
-  EXPECT_NEAR(degrees_from_radians(micron.sonar.step), 0.9, kSheetTolerance);
-  EXPECT_NEAR(degrees_from_radians(micron.sonar.sector_width), 360, kSheetTolerance);
+  EXPECT_NEAR(degrees_from_radians(micron.sonar.head.step), 0.9, kSheetTolerance);
+  EXPECT_NEAR(degrees_from_radians(micron.sonar.head.sector_width), 360, kSheetTolerance);
   ASSERT_EQ(micron.instrument.steps.size(), 4U);
   EXPECT_NEAR(degrees_from_radians(micron.instrument.steps[3]), 3.6, kSheetTolerance);
 }

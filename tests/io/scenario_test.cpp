@@ -238,10 +238,10 @@ TEST_F(ScenarioTest, TakesAScanningHead) {
   const SonarConfig sonar = load(kEverything).sonars.at(1);
   EXPECT_EQ(sonar.type, SonarType::kMechanicallyScanned);
   EXPECT_NEAR(sonar.azimuth_aperture, std::numbers::pi / 60, kAngleTolerance);
-  EXPECT_NEAR(sonar.step, -std::numbers::pi / 100, kAngleTolerance);
-  EXPECT_NEAR(sonar.sector_center, std::numbers::pi / 4, kAngleTolerance);
-  EXPECT_NEAR(sonar.sector_width, std::numbers::pi / 2, kAngleTolerance);
-  EXPECT_EQ(sonar.mounting, Mounting::kVertical);
+  EXPECT_NEAR(sonar.head.step, -std::numbers::pi / 100, kAngleTolerance);
+  EXPECT_NEAR(sonar.head.sector_center, std::numbers::pi / 4, kAngleTolerance);
+  EXPECT_NEAR(sonar.head.sector_width, std::numbers::pi / 2, kAngleTolerance);
+  EXPECT_EQ(sonar.head.mounting, Mounting::kVertical);
 }
 
 TEST_F(ScenarioTest, TakesThePaperModel) {

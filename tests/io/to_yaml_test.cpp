@@ -55,7 +55,7 @@ Scenario made_in_code() {
   fan.model = "7 \"seas\"\t#1";
   fan.beam_count = 3;
   fan.beam_azimuths = {radians_from_degrees(20), radians_from_degrees(1), radians_from_degrees(-20)};
-  fan.azimuth_aperture = fan.beam_edges().front() - fan.beam_edges().back();
+  fan.azimuth_aperture = fan.bearings().extent();
   fan.position = {0, 0, -3};
   fan.orientation = {0, radians_from_degrees(12), radians_from_degrees(-170)};
   fan.sampling.rows = 77;
@@ -64,9 +64,9 @@ Scenario made_in_code() {
   head.type = SonarType::kMechanicallyScanned;
   head.beam_count = 1;
   head.azimuth_aperture = radians_from_degrees(3);
-  head.step = radians_from_degrees(-1.8);
-  head.sector_width = radians_from_degrees(90);
-  head.mounting = Mounting::kVertical;
+  head.head.step = radians_from_degrees(-1.8);
+  head.head.sector_width = radians_from_degrees(90);
+  head.head.mounting = Mounting::kVertical;
   head.position = {0, 0, -4};
   head.assumed_sound_speed = 1510;
   head.ping_period = 0.4;
@@ -122,7 +122,7 @@ TEST_F(ToYamlTest, LeavesOutWhatHasNoEffect) {
   scenario.sonars.emplace_back().gain = 2;
   scenario.paper.sigmoid_slope = 5;
   scenario.materials.overrides["hull"] = {.like = "steel", .reflectivity = 0.9};
-  scenario.sonars.back().step = 1;
+  scenario.sonars.back().head.step = 1;
   EXPECT_EQ(to_yaml(scenario), "world: none\nmaterials:\n  hull:\n    like: \"steel\"\nsonars:\n  - {}\n");
   scenario.model = EchoModel::kPaper;
   EXPECT_EQ(reread(scenario).sonars[0].gain, 2);

@@ -138,7 +138,7 @@ Scenario calibrated_scenario(SonarType type) {
   Scenario scenario = busy_scenario(type == SonarType::kForwardLooking ? 64 : 1);
   SonarConfig& sonar = scenario.sonars[0];
   sonar.type = type;
-  sonar.sector_width = radians_from_degrees(20);
+  sonar.head.sector_width = radians_from_degrees(20);
   sonar.leak_db = -30;
   sonar.dead_range = 0.5;
   sonar.group_gains_db = {1};

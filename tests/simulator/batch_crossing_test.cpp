@@ -36,7 +36,7 @@ SonarConfig head() {
   sonar.type = SonarType::kMechanicallyScanned;
   sonar.beam_count = 1;
   sonar.azimuth_aperture = 3 * kDegree;
-  sonar.step = 9 * kDegree;
+  sonar.head.step = 9 * kDegree;
   sonar.position = {0, -0.3, 0.1};
   return sonar;
 }

@@ -57,8 +57,8 @@ SonarConfig sonar_of(const Case& on) {
     sonar.beam_count = 1;
     sonar.azimuth_aperture = 12 * kDegree;
     sonar.sampling.columns_per_beam = 16;
-    sonar.step = 7 * kDegree;
-    sonar.sector_center = -60 * kDegree;  // From the corner's side to the walls'.
+    sonar.head.step = 7 * kDegree;
+    sonar.head.sector_center = -60 * kDegree;  // From the corner's side to the walls'.
   }
   return sonar;
 }

@@ -23,8 +23,8 @@ SonarConfig head(double step, double sector, double period) {
   sonar.type = SonarType::kMechanicallyScanned;
   sonar.beam_count = 1;
   sonar.azimuth_aperture = 3 * kDegree;
-  sonar.step = step * kDegree;
-  sonar.sector_width = sector * kDegree;
+  sonar.head.step = step * kDegree;
+  sonar.head.sector_width = sector * kDegree;
   sonar.ping_period = period;
   return sonar;
 }

@@ -81,7 +81,7 @@ SonarConfig scanning_sonar() {
   sonar.type = SonarType::kMechanicallyScanned;
   sonar.beam_count = 1;
   sonar.azimuth_aperture = 3 * kDegree;
-  sonar.step = 7 * kDegree;
+  sonar.head.step = 7 * kDegree;
   return sonar;
 }
 

@@ -165,7 +165,7 @@ TEST_P(SimulatorTest, MovingScanningSonarShearsItsPicture) {
   sonar.min_range = 0;
   sonar.max_range = 30;
   sonar.bin_count = 600;
-  sonar.step = 0.9 * kDegree;
+  sonar.head.step = 0.9 * kDegree;
   sonar.sampling = {.columns_per_beam = 16, .rows = 200};
   sonar.assumed_sound_speed = 1500;
   Scenario scenario = quiet_scenario(sonar, GetParam());
@@ -189,7 +189,7 @@ TEST_P(SimulatorTest, MovingScanningSonarShearsItsPicture) {
       requests.fill(0, number, request);
       simulator.ping(0, request, ping);
       EXPECT_NEAR(ping.time, 0.04 * number, 1e-9);
-      EXPECT_NEAR(ping.head_angle, number * sonar.step, 1e-9);
+      EXPECT_NEAR(ping.head_angle, number * sonar.head.step, 1e-9);
       double heard = 0;
       for (const float value : ping.intensity) {
         heard += value;

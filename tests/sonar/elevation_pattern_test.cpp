@@ -23,7 +23,7 @@ SonarConfig sonar_of(double aperture_deg, double center_deg) {
 
 ElevationPattern pattern_of(const SonarConfig& sonar, BeamPattern window = BeamPattern::kRectangular,
                             double side_lobe_db = -30) {
-  return {line_array(window, side_lobe_db, sonar.elevation_aperture), sonar};
+  return {line_array(window, side_lobe_db, sonar.elevation_aperture), sonar.elevation_aperture, sonar.elevation_center};
 }
 
 TEST(ElevationPatternTest, IsAsWideAtHalfPowerAsTheAperture) {

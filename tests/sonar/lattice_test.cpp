@@ -25,7 +25,19 @@ SonarConfig fan(double azimuth_deg = 120) {
 }
 
 ElevationPattern pattern_of(const SonarConfig& sonar) {
-  return {line_array(BeamPattern::kRectangular, -30, sonar.elevation_aperture), sonar};
+  return {line_array(BeamPattern::kRectangular, -30, sonar.elevation_aperture), sonar.elevation_aperture,
+          sonar.elevation_center};
+}
+
+// With the pattern of pattern_of(), or a top hat.
+Lattice lattice_of(const SonarConfig& sonar, BeamShape shape = BeamShape::kWedge, bool has_pattern = false) {
+  BearingGrid beams = sonar.bearings();
+  beams.shape = shape;
+  ElevationWay way{.aperture = sonar.elevation_aperture};
+  if (has_pattern) {
+    way.array = line_array(BeamPattern::kRectangular, -30, sonar.elevation_aperture);
+  }
+  return {beams, *sonar.sampling.columns_per_beam, sonar, ElevationPatterns(way, {}, sonar.elevation_center)};
 }
 
 // Solid angle of a fan weighted by |p|^(2 power), by brute force over elevation: `power` is 1 for transmission, 2 for
@@ -77,7 +89,7 @@ TEST(LatticeTest, SolidAnglesFillTheSector) {
         const ElevationPattern* given = pattern ? &*pattern : nullptr;
         for (const int rows : {2, 50}) {
           sonar.sampling.rows = rows;
-          const Lattice lattice(sonar, 0, shape, given);
+          const Lattice lattice = lattice_of(sonar, shape, has_pattern);
           // With cones the edges of columns approximate the edge of the sector in steps.
           const double tolerance = shape == BeamShape::kWedge ? 1e-5 : 1e-3;
           const double received = angle_by_sum(sonar, shape, given, 2), sent = angle_by_sum(sonar, shape, given, 1);
@@ -92,7 +104,7 @@ TEST(LatticeTest, SolidAnglesFillTheSector) {
 TEST(LatticeTest, HalfTheRowsLieInTheMainLobeAndTheRestInSideLobes) {
   const SonarConfig sonar = fan();
   const ElevationPattern pattern = pattern_of(sonar);
-  const Lattice lattice(sonar, 0, BeamShape::kWedge, &pattern);
+  const Lattice lattice = lattice_of(sonar, BeamShape::kWedge, true);
   int in_aperture = 0, in_main_lobe = 0;
   for (int row = 0; row < lattice.rows; ++row) {
     const double off = std::abs(lattice.elevations(0)[row] + 8 * kDegree) / kDegree;
@@ -112,20 +124,20 @@ TEST(LatticeTest, RowsHoldThePatternAtTheirElevations) {
   const SonarConfig sonar = fan();
   const ElevationPattern pattern = pattern_of(sonar);
   for (const BeamShape shape : {BeamShape::kWedge, BeamShape::kCone}) {
-    const Lattice lattice(sonar, 0, shape, &pattern);
+    const Lattice lattice = lattice_of(sonar, shape, true);
     for (const int column : {0, 70, 179}) {
       for (int row = 0; row < lattice.rows; ++row) {
         EXPECT_NEAR(lattice.pattern_in(column)[row], pattern.intensity(lattice.elevations(column)[row]), 1e-5);
       }
     }
   }
-  EXPECT_EQ(Lattice(sonar).pattern_in(0)[7], 1);
+  EXPECT_EQ(lattice_of(sonar).pattern_in(0)[7], 1);
 }
 
 // With cones, every row of a column has the same bearing, and an elevation within the sector.
 TEST(LatticeTest, ConesHaveAConstantSineOfBearing) {
   const SonarConfig sonar = fan();
-  const Lattice lattice(sonar, 0, BeamShape::kCone);
+  const Lattice lattice = lattice_of(sonar, BeamShape::kCone);
   EXPECT_FALSE(lattice.even_rows);
   for (int column = 0; column < lattice.columns; ++column) {
     const double cosine = lattice.cos_azimuth[column], sine = lattice.sin_azimuth[column];
@@ -146,7 +158,7 @@ TEST(LatticeTest, ConesHaveAConstantSineOfBearing) {
 TEST(LatticeTest, ConesThatMissTheSectorHaveNoSolidAngle) {
   SonarConfig sonar = fan(170);
   sonar.elevation_center = 40 * kDegree;
-  const Lattice lattice(sonar, 0, BeamShape::kCone);
+  const Lattice lattice = lattice_of(sonar, BeamShape::kCone);
   EXPECT_EQ(lattice.beam_angle(0), 0);
   EXPECT_GT(lattice.beam_angle(30), 0);
   for (int row = 0; row < lattice.rows; ++row) {
@@ -158,14 +170,14 @@ TEST(LatticeTest, MirroredColumnsHaveTheSameRows) {
   const SonarConfig sonar = fan();
   const ElevationPattern pattern = pattern_of(sonar);
   for (const BeamShape shape : {BeamShape::kWedge, BeamShape::kCone}) {
-    const Lattice lattice(sonar, 0, shape, &pattern);
+    const Lattice lattice = lattice_of(sonar, shape, true);
     for (int column = 0; column < lattice.columns; ++column) {
       for (int row = 0; row < lattice.rows; ++row) {
         EXPECT_NEAR(lattice.elevations(column)[row], lattice.elevations(lattice.columns - 1 - column)[row], 1e-6);
       }
     }
   }
-  const Lattice lattice(sonar, 0, BeamShape::kWedge, &pattern);
+  const Lattice lattice = lattice_of(sonar, BeamShape::kWedge, true);
   EXPECT_GT(std::abs(lattice.elevations(0)[20] - lattice.elevations(1)[20]), 0.01 * kDegree);
 }
 

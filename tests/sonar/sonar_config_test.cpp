@@ -29,9 +29,9 @@ SonarConfig fan(int beam_count, double aperture_deg) {
 SonarConfig scanner(double step_deg, double sector_deg = 360, double center_deg = 0) {
   SonarConfig sonar = fan(1, 3);
   sonar.type = SonarType::kMechanicallyScanned;
-  sonar.step = deg(step_deg);
-  sonar.sector_width = deg(sector_deg);
-  sonar.sector_center = deg(center_deg);
+  sonar.head.step = deg(step_deg);
+  sonar.head.sector_width = deg(sector_deg);
+  sonar.head.sector_center = deg(center_deg);
   return sonar;
 }
 
@@ -83,7 +83,7 @@ TEST(SonarBeamsTest, AreEvenlySpacedInAngleFromPortToStarboard) {
 
 TEST(SonarBeamsTest, EvenBeamsFillTheApertureExactly) {
   const SonarConfig sonar = fan(3, 60);
-  const std::vector<double> edges = sonar.beam_edges();
+  const std::vector<double> edges = sonar.bearings().edges();
   ASSERT_EQ(edges.size(), 4U);
   EXPECT_EQ(edges.front(), sonar.azimuth_aperture / 2);
   EXPECT_EQ(edges.back(), -sonar.azimuth_aperture / 2);
@@ -93,7 +93,7 @@ TEST(SonarBeamsTest, EvenBeamsFillTheApertureExactly) {
 
 TEST(SonarBeamsTest, CentresLieMidwayBetweenEdges) {
   const SonarConfig sonar = fan(97, 130);
-  const std::vector<double> edges = sonar.beam_edges();
+  const std::vector<double> edges = sonar.bearings().edges();
   for (int beam = 0; beam < sonar.beam_count; ++beam) {
     const auto b = static_cast<std::size_t>(beam);
     EXPECT_NEAR(sonar.beam_azimuth(beam), (edges[b] + edges[b + 1]) / 2, kRounding);
@@ -107,7 +107,7 @@ TEST(SonarBeamsTest, ExplicitCentresAreKeptAndEdgesLieBetween) {
   SonarConfig sonar = fan(4, 60);
   sonar.beam_azimuths = {deg(20), deg(5), deg(0), deg(-20)};
   EXPECT_EQ(sonar.beam_azimuth(1), deg(5));
-  const std::vector<double> edges = sonar.beam_edges();
+  const std::vector<double> edges = sonar.bearings().edges();
   ASSERT_EQ(edges.size(), 5U);
   const double expected_deg[] = {27.5, 12.5, 2.5, -10, -30};
   for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -115,10 +115,34 @@ TEST(SonarBeamsTest, ExplicitCentresAreKeptAndEdgesLieBetween) {
   }
 }
 
+// Two beams of a degree abeam; without widths they would touch and cover 180 degrees each.
+TEST(SonarBeamsTest, BeamsWithWidthsLeaveGaps) {
+  SonarConfig sonar = fan(2, 60);
+  sonar.beam_azimuths = {deg(90), deg(-90)};
+  EXPECT_NEAR(sonar.bearings().width(0), deg(180), kRounding);
+  sonar.beam_widths = {deg(1)};
+  const BearingGrid beams = sonar.bearings();
+  EXPECT_TRUE(beams.has_gaps());
+  EXPECT_NEAR(beams.port[0], deg(90.5), kRounding);
+  EXPECT_NEAR(beams.starboard[0], deg(89.5), kRounding);
+  EXPECT_NEAR(beams.port[1], deg(-89.5), kRounding);
+  EXPECT_NEAR(beams.covered(), deg(2), kRounding);
+  EXPECT_EQ(*sonar.sampling_by_rule().columns_per_beam, 4);  // A quarter of a degree each.
+  sonar.beam_widths = {deg(1), deg(3)};
+  EXPECT_NEAR(sonar.bearings().starboard[1], deg(-91.5), kRounding);
+}
+
+TEST(SonarBeamsTest, WidthsOfTheSpacingLeaveNoGap) {
+  SonarConfig sonar = fan(3, 60);
+  sonar.beam_widths = {deg(20)};
+  EXPECT_FALSE(sonar.bearings().has_gaps());
+  EXPECT_EQ(sonar.bearings().edges().size(), 4U);
+}
+
 TEST(SonarBeamsTest, ASingleExplicitBeamIsAsWideAsTheAperture) {
   SonarConfig sonar = fan(1, 8);
   sonar.beam_azimuths = {deg(15)};
-  const std::vector<double> edges = sonar.beam_edges();
+  const std::vector<double> edges = sonar.bearings().edges();
   EXPECT_NEAR(edges[0], deg(19), kRounding);
   EXPECT_NEAR(edges[1], deg(11), kRounding);
 }
@@ -221,7 +245,7 @@ TEST(SonarMountingTest, IsPlacedAndTurnedOnTheVehicle) {
 // Rolled by +90 degrees: the housing's y is the vehicle's z, so a head turned to "port" looks up.
 TEST(SonarMountingTest, AVerticalHeadTurnsUpwards) {
   SonarConfig sonar = scanner(0.9);
-  sonar.mounting = Mounting::kVertical;
+  sonar.head.mounting = Mounting::kVertical;
   const Pose pose = sonar.vehicle_from_sonar();
   EXPECT_LE((pose.orientation * Vec3::UnitX() - Vec3::UnitX()).norm(), kRounding);
   EXPECT_LE((pose.orientation * Vec3::UnitY() - Vec3::UnitZ()).norm(), kRounding);
@@ -230,7 +254,7 @@ TEST(SonarMountingTest, AVerticalHeadTurnsUpwards) {
 
 TEST(SonarMountingTest, RollComesBeforeTheMountingsOwnAngles) {
   SonarConfig sonar = scanner(0.9);
-  sonar.mounting = Mounting::kVertical;
+  sonar.head.mounting = Mounting::kVertical;
   sonar.orientation = {0, 0, deg(90)};
   const Pose pose = sonar.vehicle_from_sonar();
   EXPECT_LE((pose.orientation * Vec3::UnitX() - Vec3::UnitY()).norm(), kRounding);
@@ -263,6 +287,35 @@ TEST(SonarValidateTest, DefaultsAreValid) {
   EXPECT_EQ(fault(scanner(0.9)), "no error");
 }
 
+TEST(SonarValidateTest, WidthsOfBeamsFitBetweenEachOther) {
+  EXPECT_EQ(fls([](auto& s) {
+              s.beam_count = 3, s.beam_widths = {deg(1), deg(2)};
+            }),
+            "sonars[1].beam_widths_deg has 2 widths, must have one for all or one for each of beam_count = 3");
+  EXPECT_EQ(fls([](auto& s) { s.beam_count = 3, s.azimuth_aperture = deg(60), s.beam_widths = {deg(21)}; }),
+            "sonars[1].beam_widths_deg must not make beams overlap: beam 0 ends at 9.5 deg, beam 1 begins at 10.5 deg");
+  EXPECT_EQ(fls([](auto& s) { s.beam_count = 3, s.azimuth_aperture = deg(60), s.beam_widths = {deg(20)}; }),
+            "no error");
+  EXPECT_EQ(msis([](auto& s) { s.beam_widths = {deg(1)}; }),
+            "sonars[1].beam_widths_deg belongs to a fan; the beam of a msis is as wide as azimuth_aperture_deg");
+  EXPECT_EQ(fls([](auto& s) { s.beam_widths = {deg(0)}; }),
+            "sonars[1].beam_widths_deg[0] = 0 deg must be greater than 0, at most 360 deg");
+}
+
+TEST(SonarValidateTest, TransmittersOfTheirOwnMakeSense) {
+  EXPECT_EQ(
+      fls([](auto& s) {
+        s.elevation_center = deg(80), s.elevation_aperture = deg(10), s.transmit_elevation_aperture = deg(20);
+      }),
+      "sonars[1].transmit_elevation_aperture_deg = 20 deg with elevation_center_deg = 80 deg reaches 90 deg, must "
+      "stay within 89 deg of level");
+  EXPECT_EQ(fls([](auto& s) { s.two_way_array = true; }),
+            "sonars[1].two_way_array = true transmits one beam, must be false with beam_count = 256");
+  EXPECT_EQ(fls([](auto& s) { s.two_way_array = true, s.beam_count = 1; }), "no error");
+  EXPECT_EQ(fls([](auto& s) { s.two_way_array = true, s.beam_count = 1, s.transmit_width = deg(90); }),
+            "sonars[1].transmit_width_deg belongs to a transmitter of its own; with two_way_array the array transmits");
+}
+
 TEST(SonarValidateTest, NamesTheFieldOutOfItsLimits) {
   EXPECT_EQ(fls([](auto& s) { s.frequency = 0; }),
             "sonars[1].frequency = 0 Hz must be greater than 0, at most 100000000 Hz");
@@ -287,10 +340,10 @@ TEST(SonarValidateTest, NamesTheFieldOutOfItsLimits) {
             "sonars[1].assumed_sound_speed = 150 m/s must be from 1300 to 1700 m/s");
   EXPECT_EQ(fls([](auto& s) { s.ping_period = 0; }),
             "sonars[1].ping_period = 0 s must be greater than 0, at most 1000000 s");
-  EXPECT_EQ(fls([](auto& s) { s.step = deg(181); }), "sonars[1].step_deg = 181 deg must be from -180 to 180 deg");
-  EXPECT_EQ(fls([](auto& s) { s.sector_center = deg(181); }),
+  EXPECT_EQ(fls([](auto& s) { s.head.step = deg(181); }), "sonars[1].step_deg = 181 deg must be from -180 to 180 deg");
+  EXPECT_EQ(fls([](auto& s) { s.head.sector_center = deg(181); }),
             "sonars[1].sector_center_deg = 181 deg must be from -180 to 180 deg");
-  EXPECT_EQ(fls([](auto& s) { s.sector_width = 0; }),
+  EXPECT_EQ(fls([](auto& s) { s.head.sector_width = 0; }),
             "sonars[1].sector_width_deg = 0 deg must be greater than 0, at most 360 deg");
   EXPECT_EQ(fls([](auto& s) { s.position.y() = NAN; }),
             "sonars[1].position[1] = nan m must be from -10000000 to 10000000 m");
@@ -360,14 +413,14 @@ TEST(SonarValidateTest, ElevationsMustStayOffTheVertical) {
 TEST(SonarValidateTest, AScanningHeadMustTurnASingleBeam) {
   EXPECT_EQ(msis([](auto& s) { s.beam_count = 4; }),
             "sonars[1].beam_count = 4 must be 1 for type msis, whose head turns a single beam: say beam_count: 1");
-  EXPECT_EQ(msis([](auto& s) { s.step = 0; }), "sonars[1].step_deg = 0 deg must not be 0 for type msis");
-  EXPECT_EQ(msis([](auto& s) { s.step = deg(-2), s.sector_width = deg(1.5); }),
+  EXPECT_EQ(msis([](auto& s) { s.head.step = 0; }), "sonars[1].step_deg = 0 deg must not be 0 for type msis");
+  EXPECT_EQ(msis([](auto& s) { s.head.step = deg(-2), s.head.sector_width = deg(1.5); }),
             "sonars[1].sector_width_deg = 1.5 deg must be at least one step_deg = -2 deg");
-  EXPECT_EQ(msis([](auto& s) { s.step = deg(-2), s.sector_width = deg(2); }), "no error");
+  EXPECT_EQ(msis([](auto& s) { s.head.step = deg(-2), s.head.sector_width = deg(2); }), "no error");
 }
 
 TEST(SonarValidateTest, AFanIgnoresTheSettingsOfAHead) {
-  EXPECT_EQ(fls([](auto& s) { s.step = 0; }), "no error");
+  EXPECT_EQ(fls([](auto& s) { s.head.step = 0; }), "no error");
 }
 
 }  // namespace

@@ -131,8 +131,8 @@ TEST(MutualInterferenceTest, HeadsSendWhereTheyPoint) {
   head.azimuth_aperture = 3 * kDegree;
   head.position = {6, 0, 0};
   head.orientation.z() = 0;
-  head.sector_center = 178.5 * kDegree;  // Its first ping: 1.5 degrees from the other sonar.
-  head.step = 1.5 * kDegree;
+  head.head.sector_center = 178.5 * kDegree;  // Its first ping: 1.5 degrees from the other sonar.
+  head.head.step = 1.5 * kDegree;
   scenario.receiver.azimuth_pattern = BeamPattern::kRectangular;
   scenario.sonars[0].azimuth_resolution = 1 * kDegree;
   Simulator simulator(scenario, {}, 1);

@@ -21,7 +21,7 @@ SonarConfig head() {
   sonar.min_range = 0;
   sonar.max_range = 30;
   sonar.bin_count = 600;
-  sonar.step = kStep;
+  sonar.head.step = kStep;
   sonar.sampling = {1, 2};
   return sonar;
 }

@@ -120,7 +120,7 @@ TEST(SteeringTest, HeadsTurnWhateverTheSpeed) {
     head.azimuth_aperture = 3 * kDegree;
     head.min_range = 0;
     head.max_range = 25;
-    head.step = 10 * kDegree;
+    head.head.step = 10 * kDegree;
     head.assumed_sound_speed = assumed;
     Scenario scenario = calibrated(head, kRays);
     scenario.receiver.azimuth_pattern = BeamPattern::kRectangular;

@@ -70,7 +70,7 @@ TEST(ThrusterArrayTest, HeadsHearItWhereTheyLook) {
   head.type = SonarType::kMechanicallyScanned;
   head.beam_count = 1;
   head.azimuth_aperture = 1.5 * kDegree;
-  head.sector_width = 2 * kPi;
+  head.head.sector_width = 2 * kPi;
   scenario.thrusters[0].level_db = 170;
   Simulator simulator(scenario, {}, 2);
   for (const double off : {0.0, 0.75, 2.3, -7.7, 55.0, 100.0, 179.0}) {

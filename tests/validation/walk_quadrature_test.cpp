@@ -99,7 +99,8 @@ TEST(WalkQuadratureTest, DiffuseSurfacesGiveTheSumOverAllPaths) {
   const auto [two, more] = energies(plates, settings, sonar);
 
   const std::vector<Patch> patches = patches_of(plates, 24);
-  const ElevationPattern pattern(*settings.elevation_array, settings.sonar);
+  const ElevationPattern pattern(*settings.elevation_array, settings.sonar.elevation_aperture,
+                                 settings.sonar.elevation_center);
   const auto count = static_cast<Eigen::Index>(patches.size());
   Eigen::VectorXd sent(count),
       received(count);  // Energy that falls on a patch; of what it scatters, that which comes back.

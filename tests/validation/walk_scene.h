@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include <numeric>
+
 #include "echo/walks/random_walks.h"
 #include "support/test_engine.h"
 #include "validation/calibrated_scene.h"
@@ -12,12 +14,13 @@ namespace insonify::validation {
 struct WalkScene {
   WalkScene(const char* engine_name, Scene the_scene, const PingPlanSettings& settings, const Vec3& position, int walks,
             std::uint64_t seed = 5)
-      : scene(std::move(the_scene)),
+      : sonar(settings.sonar),
+        scene(std::move(the_scene)),
         engine(test_engine(engine_name)),
         plan(planned(settings)),
         grid(settings.sonar.beam_count, settings.sonar.bin_count, kPathOrders),
         world_from_sonar{.position = position},
-        walk_settings{.count = walks, .first_beam = 0, .beam_count = settings.sonar.beam_count, .seed = seed} {
+        walk_settings{.count = walks, .beams = all_beams(settings.sonar.beam_count), .seed = seed} {
     engine->set_scene(scene);
   }
 
@@ -34,7 +37,7 @@ struct WalkScene {
     double sum = 0;
     for (int beam = 0; beam < grid.beam_count(); ++beam) {
       for (int bin = 0; bin < grid.bin_count(); ++bin) {
-        const double range = plan->sonar.bin_range(bin);
+        const double range = sonar.bin_range(bin);
         sum += range >= near && range < far ? grid.energy(order, beam)[bin] : 0;
       }
     }
@@ -45,10 +48,16 @@ struct WalkScene {
   [[nodiscard]] double bins(double near, double far) const {
     int count = 0;
     for (int bin = 0; bin < grid.bin_count(); ++bin) {
-      const double range = plan->sonar.bin_range(bin);
+      const double range = sonar.bin_range(bin);
       count += range >= near && range < far ? 1 : 0;
     }
     return count;
+  }
+
+  [[nodiscard]] static std::vector<int> all_beams(int count) {
+    std::vector<int> beams(static_cast<std::size_t>(count));
+    std::iota(beams.begin(), beams.end(), 0);
+    return beams;
   }
 
   [[nodiscard]] std::shared_ptr<const PingPlan> planned(PingPlanSettings settings) const {
@@ -57,6 +66,7 @@ struct WalkScene {
     return make_ping_plan(settings);
   }
 
+  SonarConfig sonar;
   Scene scene;
   std::unique_ptr<TestEngine> engine;
   std::shared_ptr<const PingPlan> plan;

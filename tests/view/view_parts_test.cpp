@@ -65,8 +65,8 @@ TEST(InsonifiedSectorTest, OfAScanningSonarIsAllThatItSweeps) {
   sonar.type = SonarType::kMechanicallyScanned;
   sonar.beam_count = 1;
   sonar.azimuth_aperture = radians_from_degrees(4);
-  sonar.sector_center = radians_from_degrees(80);
-  sonar.sector_width = radians_from_degrees(60);
+  sonar.head.sector_center = radians_from_degrees(80);
+  sonar.head.sector_width = radians_from_degrees(60);
   const InsonifiedSector sector(sonar, {});
   const auto inside_by = [&](double azimuth_deg) {
     return sector.inside_by(point_from_spherical({5, radians_from_degrees(azimuth_deg), 0}));
@@ -75,7 +75,7 @@ TEST(InsonifiedSectorTest, OfAScanningSonarIsAllThatItSweeps) {
   EXPECT_LT(inside_by(47.5), 0);
   EXPECT_GT(inside_by(111.5), 0);
   EXPECT_LT(inside_by(112.5), 0);
-  sonar.sector_width = 2 * std::numbers::pi;
+  sonar.head.sector_width = 2 * std::numbers::pi;
   const InsonifiedSector whole(sonar, {});
   for (double azimuth_deg = -180; azimuth_deg <= 180; azimuth_deg += 7) {
     EXPECT_GT(whole.inside_by(point_from_spherical({5, radians_from_degrees(azimuth_deg), 0})), 0);

@@ -721,7 +721,7 @@ const failed = await runChecks({
       const found = [];
       for (const step of [0.45, 0.9, 1.8, 3.7, -2.3]) {
         const round = new RoundPicture();
-        round.clear({ step, edges: [0.02, -0.02] });
+        round.clear({ step, ports: [0.02], starboards: [-0.02] });
         for (let i = 0; i < 370 / Math.abs(step); ++i) round.add({ headAngle: ((0.3 + i * step) * Math.PI) / 180 });
         found.push(round.order.filter((order) => order < 0).length);
       }

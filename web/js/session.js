@@ -144,7 +144,7 @@ export class Session {
   #modeFor(sonar, same) {
     const now = this.store.get("mode");
     const kNarrow = radians(4);
-    const isNarrow = !sonar.scanning && (sonar.beams === 1 || sonar.edges[0] - sonar.edges[sonar.beams] < kNarrow);
+    const isNarrow = !sonar.scanning && (sonar.beams === 1 || sonar.ports[0] - sonar.starboards.at(-1) < kNarrow);
     const wanted = same ? now : isNarrow ? "polar" : this.#modeBefore || now;
     if (!same) this.#modeBefore = isNarrow ? this.#modeBefore || now : "";
     const modes = sonar.scanning ? ["round"] : ["fan", "polar"];

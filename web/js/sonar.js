@@ -7,9 +7,10 @@ export const kRoundSlots = 1440;  // columns of a scanning head's round picture
 /** Adds to a SONAR of `hello` what drawing needs; angles in rad. */
 export function describeSonar(sonar) {
   const azimuths = sonar.azimuths.map(radians);
-  const beams = azimuths.length;
   const aperture = radians(sonar.azimuth_aperture ?? 0);
   const edges = sonar.azimuth_edges?.map(radians) ?? edgesOf(azimuths, aperture);
+  // Edges between beams; where there are gaps between beams, both edges of each in turn.
+  const each = edges.length > azimuths.length + 1 ? 2 : 1;
   const scanning = sonar.type === "msis";
   const vertical = scanning && sonar.mounting === "vertical";
   return {
@@ -19,7 +20,8 @@ export function describeSonar(sonar) {
     // A vertical head's port side points up: up is drawn upwards, and the housing's front to the right.
     up: vertical ? Math.PI / 2 : 0,  // azimuth that is drawn upwards
     beamAzimuths: azimuths,
-    edges,
+    ports: azimuths.map((_, beam) => edges[each * beam]),
+    starboards: azimuths.map((_, beam) => edges[each * beam + 1]),
     binLength: (sonar.max_range - sonar.min_range) / sonar.bins,
     elevationAperture: radians(sonar.elevation_aperture ?? 20),
     elevationCentre: radians(sonar.elevation_center ?? 0),
@@ -49,30 +51,27 @@ export function binAt(sonar, range) {
 }
 
 /** Beam whose slice holds an azimuth [rad], or -1. Edges fall from port to starboard. */
-export function beamAt(sonar, azimuth) {
-  const { edges } = sonar;
-  const beams = edges.length - 1;
-  if (azimuth > edges[0] || azimuth < edges[beams]) return -1;
+export function beamAt({ ports, starboards }, azimuth) {
+  if (azimuth < starboards.at(-1)) return -1;
   let low = 0;
-  let high = beams - 1;
+  let high = ports.length - 1;
   while (low < high) {
     const middle = (low + high) >> 1;
-    if (azimuth < edges[middle + 1]) low = middle + 1;
+    if (azimuth < starboards[middle]) low = middle + 1;
     else high = middle;
   }
-  return low;
+  return azimuth <= ports[low] ? low : -1;
 }
 
-/** Beams by azimuth: table[i] is the beam, with its fraction, at edges[0] down to the last edge, evenly. */
-export function beamTable(sonar, size) {
-  const { edges } = sonar;
-  const beams = edges.length - 1;
+/** Beams by azimuth: table[i] is the beam, with its fraction, from the port to the starboard edge of the fan, evenly; -1 in a gap. */
+export function beamTable({ ports, starboards }, size) {
+  const last = ports.length - 1;
   const table = new Float32Array(size);
   let beam = 0;
   for (let i = 0; i < size; ++i) {
-    const azimuth = edges[0] + ((edges[beams] - edges[0]) * i) / (size - 1);
-    while (beam < beams - 1 && azimuth < edges[beam + 1]) ++beam;
-    table[i] = beam + (edges[beam] - azimuth) / (edges[beam] - edges[beam + 1]);
+    const azimuth = ports[0] + ((starboards[last] - ports[0]) * i) / (size - 1);
+    while (beam < last && azimuth < starboards[beam]) ++beam;
+    table[i] = azimuth > ports[beam] ? -1 : beam + (ports[beam] - azimuth) / (ports[beam] - starboards[beam]);
   }
   return table;
 }

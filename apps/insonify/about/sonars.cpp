@@ -13,7 +13,7 @@ namespace {
 
 Row table_row(const Preset& preset, const std::string& mode, bool first) {
   const SonarConfig& sonar = preset.sonar;
-  const bool scans = sonar.type == SonarType::kMechanicallyScanned;
+  const bool scans = sonar.scans();
   return {first ? preset.name : "",
           mode + (mode == preset.default_mode && preset.modes.size() > 1 ? " *" : ""),
           scans ? "msis" : "fls",

@@ -81,7 +81,7 @@ SonarConfig sonar_of(const PaperSetup& setup, double pitch_deg) {
   sonar.orientation = {0, radians_from_degrees(pitch_deg), 0};
   if (setup.scanning()) {
     sonar.type = SonarType::kMechanicallyScanned;
-    sonar.step = radians_from_degrees(1.8);
+    sonar.head.step = radians_from_degrees(1.8);
   }
   return sonar;
 }

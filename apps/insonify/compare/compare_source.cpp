@@ -8,31 +8,29 @@
 #include <map>
 
 #include "insonify/error.h"
+#include "insonify/recording_formats.h"
 
 namespace insonify {
 namespace {
 
-bool is_recording_ending(const std::filesystem::path& ending) {
-  return ending == ".h5" || ending == ".hdf5" || ending == ".mcap";
-}
-
-// The requested recording in a folder; of a sonar recorded in both formats the HDF5 one, which is exact.
+// The requested recording in a folder; of a sonar recorded in several formats the first one, which is exact.
 std::filesystem::path find_recording(const std::filesystem::path& folder, const std::string& sonar) {
   std::map<std::string, std::filesystem::path> found;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::filesystem::path ending = entry.path().extension();
-    if (ending == ".h5") {
-      found[entry.path().stem().string()] = entry.path();
-    } else if (ending == ".mcap") {
-      found.emplace(entry.path().stem().string(), entry.path());
+    const RecordingFormat* const format = recording_format(entry.path());
+    std::filesystem::path& best = found[entry.path().stem().string()];
+    if (format != nullptr && (best.empty() || format < recording_format(best))) {
+      best = entry.path();
     }
   }
+  std::erase_if(found, [](const auto& file) { return file.second.empty(); });
   std::vector<std::string> names;
   for (const auto& [name, path] : found) {
     names.push_back(name);
   }
   if (names.empty()) {
-    throw Error(fmt::format("{}: there is not a recording (.h5, .mcap) in this folder", folder.string()));
+    throw Error(
+        fmt::format("{}: there is not a recording ({}) in this folder", folder.string(), recording_names(".", ", ")));
   }
   const std::string wanted = sonar.empty() && names.size() == 1 ? names.front() : sonar;
   if (wanted.empty()) {
@@ -60,7 +58,7 @@ CompareSource::CompareSource(std::filesystem::path path, const std::string& sona
   const std::filesystem::path ending = path_.extension();
   if (ending == ".png" || ending == ".PNG") {
     picture_ = load_grey_picture(path_);
-  } else if (is_recording_ending(ending)) {
+  } else if (is_recording(path_)) {
     recording_.emplace(path_, sonar);
   } else {
     throw Error(fmt::format("{}: is neither a recording (.h5, .hdf5, .mcap) nor a picture (.png)", name()));

@@ -17,7 +17,7 @@ void say_mode(const char* name, const OculusMode& mode) {
 
 int emulate_oculus(const EmulateOptions& options) {
   end_when_asked(IgnoredInterrupt::kEnds);
-  EmulatedSonar sonar(options, SonarType::kForwardLooking, "oculus");
+  EmulatedSonar sonar(options, Product::kImage, "oculus");
   OculusServer server(options, sonar);
   say("Oculus {} on TCP {}, status to UDP {}\n", sonar.given().name, server.address(), server.status_address());
   if (!options.quiet) {

@@ -10,7 +10,7 @@ namespace insonify {
 
 int emulate_ping360(const EmulateOptions& options) {
   end_when_asked(IgnoredInterrupt::kEnds);
-  EmulatedSonar sonar(options, SonarType::kMechanicallyScanned, "ping360");
+  EmulatedSonar sonar(options, Product::kLine, "ping360");
   Ping360Server server(options, sonar);
   if (sonar.scenario().model == EchoModel::kPaper) {
     complain("warning: in the paper's model transmit_duration has no effect");

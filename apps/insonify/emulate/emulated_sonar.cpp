@@ -13,8 +13,8 @@
 namespace insonify {
 namespace {
 
-std::string_view name_of(SonarType type) {
-  return type == SonarType::kMechanicallyScanned ? "scanning (type: msis)" : "forward-looking (type: fls)";
+std::string_view name_of(Product product) {
+  return product == Product::kLine ? "scanning (type: msis)" : "forward-looking (type: fls)";
 }
 
 std::string names_in(const Scenario& scenario) {
@@ -26,13 +26,13 @@ std::string names_in(const Scenario& scenario) {
 }
 
 // @param option  That gives the name.
-int sonar_named(const Scenario& scenario, const std::string& name, std::string_view option, SonarType type,
+int sonar_named(const Scenario& scenario, const std::string& name, std::string_view option, Product product,
                 std::string_view instrument) {
   for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
     if (scenario.sonars[i].name == name) {
-      if (scenario.sonars[i].type != type) {
+      if (scenario.sonars[i].product() != product) {
         throw InputError(fmt::format("{} {}: is {}; emulate {} needs one that is {}", option, printable(name),
-                                     name_of(scenario.sonars[i].type), instrument, name_of(type)));
+                                     name_of(scenario.sonars[i].product()), instrument, name_of(product)));
       }
       return static_cast<int>(i);
     }
@@ -41,26 +41,26 @@ int sonar_named(const Scenario& scenario, const std::string& name, std::string_v
                                printable(scenario.file.string()), printable(names_in(scenario))));
 }
 
-int sonar_of(const EmulateOptions& options, const Scenario& scenario, SonarType type, std::string_view instrument) {
+int sonar_of(const EmulateOptions& options, const Scenario& scenario, Product product, std::string_view instrument) {
   if (!options.sonar.empty()) {
-    return sonar_named(scenario, options.sonar, "--sonar", type, instrument);
+    return sonar_named(scenario, options.sonar, "--sonar", product, instrument);
   }
-  const auto first = std::ranges::find(scenario.sonars, type, &SonarConfig::type);
+  const auto first = std::ranges::find(scenario.sonars, product, &SonarConfig::product);
   if (first == scenario.sonars.end()) {
     throw InputError(fmt::format("{}: has no sonar that is {}, which emulate {} needs",
-                                 printable(options.scenario.string()), name_of(type), instrument));
+                                 printable(options.scenario.string()), name_of(product), instrument));
   }
   return static_cast<int>(first - scenario.sonars.begin());
 }
 
 }  // namespace
 
-EmulatedSonar::EmulatedSonar(const EmulateOptions& options, SonarType type, std::string_view instrument)
+EmulatedSonar::EmulatedSonar(const EmulateOptions& options, Product product, std::string_view instrument)
     : scenario_(
           checked_input([&] { return load_scenario(options.scenario, options.settings, log_to_user(options.quiet)); })),
-      index_(sonar_of(options, scenario_, type, instrument)),
+      index_(sonar_of(options, scenario_, product, instrument)),
       given_(scenario_.sonars[static_cast<std::size_t>(index_)]),
-      high_(options.high.empty() ? -1 : sonar_named(scenario_, options.high, "--high", type, instrument)),
+      high_(options.high.empty() ? -1 : sonar_named(scenario_, options.high, "--high", product, instrument)),
       requests_(checked_input([&] { return ScenarioRequests(scenario_); })),
       simulator_(checked_input(
           [&] { return Simulator(scenario_, load_scene(scenario_, log_to_user(options.quiet)), options.threads); })) {

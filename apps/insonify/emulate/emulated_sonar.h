@@ -17,7 +17,7 @@ class EmulatedSonar {
  public:
   /// @param instrument  For messages: "ping360".
   /// @throws InputError for an invalid scenario, or one without such a sonar.
-  EmulatedSonar(const EmulateOptions& options, SonarType type, std::string_view instrument);
+  EmulatedSonar(const EmulateOptions& options, Product product, std::string_view instrument);
 
   /// The sonar as given in the scenario.
   [[nodiscard]] const SonarConfig& given() const { return given_; }

@@ -84,7 +84,7 @@ Ping ping_of(const Recorded& recorded, std::uint64_t number) {
 // The first ping of a fan sets the scale for all; a picture of a scan shows all pings so far.
 void draw_pings(const Recorded& recorded, PingPictures& pictures) {
   const std::uint64_t count = recorded.pings.ping_count();
-  const bool scans = recorded.sonar.type == SonarType::kMechanicallyScanned;
+  const bool scans = recorded.sonar.product() == Product::kLine;
   for (std::uint64_t number = 0; number < count; ++number) {
     if (scans || number == 0 || recorded.choice.takes(number, count)) {
       pictures.add(ping_of(recorded, number));

@@ -48,7 +48,7 @@ PingPictures::PingPictures(PictureFolder& folder, const SonarConfig& sonar, cons
       display_(style.display),
       choice_(std::move(choice)),
       total_(total) {
-  if (sonar_.type == SonarType::kMechanicallyScanned && choice_.most > 0) {
+  if (sonar_.product() == Product::kLine && choice_.most > 0) {
     scan_ = std::make_unique<ScanView>(sonar_);
   }
 }
@@ -89,7 +89,7 @@ void PingPictures::add_shown(const Ping& ping) {
       fit_scan();
       write(fmt::format("scan_{:04}", ping.number), scan_->draw(display_));
     }
-  } else if (sonar_.type == SonarType::kForwardLooking) {
+  } else if (sonar_.product() == Product::kImage) {
     last_drawn_ = due || choice_.most == 0;
     if (due) {
       draw_fan_of(ping);

@@ -6,7 +6,6 @@
 #include <system_error>
 
 #include "console/console.h"
-#include "insonify/files.h"
 
 namespace insonify {
 namespace {
@@ -28,10 +27,13 @@ std::string bytes_text(std::uint64_t bytes) {
 void report_disk_space(const Scenario& scenario, const ScenarioRequests& requests, const std::filesystem::path& folder,
                        const RunOptions& options, const MessageOptions& messages) {
   std::uint64_t needed = 0;
+  bool at_most = options.compress;
   for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
     const std::uint64_t pings = requests.ping_count(static_cast<int>(i));
-    needed += options.record.h5 ? recording_bytes(scenario, scenario.sonars[i], pings) : 0;
-    needed += options.record.mcap ? mcap_bytes(scenario.sonars[i], pings, messages) : 0;
+    for (const RecordingFormat* format : options.record) {
+      needed += format->bytes(scenario, scenario.sonars[i], pings, messages);
+      at_most = at_most || format->has_messages;
+    }
   }
   std::filesystem::path there = std::filesystem::absolute(folder);
   std::error_code error;
@@ -42,9 +44,8 @@ void report_disk_space(const Scenario& scenario, const ScenarioRequests& request
   if (error) {
     return;  // Some file systems do not report their free space.
   }
-  const std::string text =
-      fmt::format("the recordings need {}{}, {} are free", options.compress || options.record.mcap ? "at most " : "",
-                  bytes_text(needed), bytes_text(space.available));
+  const std::string text = fmt::format("the recordings need {}{}, {} are free", at_most ? "at most " : "",
+                                       bytes_text(needed), bytes_text(space.available));
   if (needed > space.available) {
     complain(fmt::format("warning: {}: {}; a full disk ends the run, which keeps the pings made so far",
                          folder.string(), text));

@@ -2,66 +2,66 @@
 
 #include "run/recordings.h"
 
+#include <algorithm>
+#include <span>
+
 namespace insonify {
 
-RecordKinds RecordKinds::parse(const std::string& text) {
-  return {.h5 = text != "mcap", .mcap = text != "h5"};
+RecordKinds record_kinds(const std::string& text) {
+  RecordKinds kinds;
+  for (const RecordingFormat& format : recording_formats()) {
+    if (text.find(format.name) != std::string::npos) {
+      kinds.push_back(&format);
+    }
+  }
+  return kinds;
 }
 
-std::vector<std::string> RecordKinds::endings() const {
+std::vector<std::string> record_choices() {
+  std::vector<std::string> choices;
+  for (const RecordingFormat& format : recording_formats()) {
+    choices.emplace_back(format.name);
+  }
+  for (const RecordingFormat& first : recording_formats()) {
+    for (const RecordingFormat& second : recording_formats()) {
+      if (first.name != second.name) {
+        choices.push_back(std::string(first.name) + "," + std::string(second.name));
+      }
+    }
+  }
+  return choices;
+}
+
+std::vector<std::string> endings_of(const RecordKinds& kinds) {
   std::vector<std::string> endings;
-  if (h5) {
-    endings.emplace_back(".h5");
-  }
-  if (mcap) {
-    endings.emplace_back(".mcap");
-  }
+  std::ranges::transform(kinds, std::back_inserter(endings), [](const auto* format) { return format->ending(); });
   return endings;
 }
 
 SonarRecordings::SonarRecordings(const std::filesystem::path& folder, const Simulator& simulator, int sonar,
-                                 const RecordOptions& options) {
-  const Scenario& scenario = simulator.scenario();
+                                 const RecordKinds& kinds, const RecordOptions& options) {
   const SonarConfig& config = simulator.sonar(sonar);
-  for (const std::string& ending : options.kinds.endings()) {
-    files_.push_back(folder / (config.name + ending));
-  }
-  if (options.kinds.h5) {
-    h5_.emplace(files_.front(), scenario, simulator.scene(), config, options.h5);
-  }
-  if (options.kinds.mcap) {
-    McapOptions mcap = options.mcap;
-    mcap.run = run_facts(scenario, simulator.scene());
-    mcap_.emplace(files_.back(), std::vector{message_source(scenario, config)}, mcap);
+  for (const RecordingFormat* format : kinds) {
+    files_.push_back(folder / (config.name + format->ending()));
+    sinks_.push_back(format->open(files_.back(), {simulator.scenario(), simulator.scene(), {&config, 1}}, options));
   }
 }
 
 void SonarRecordings::add(const Ping& ping) {
-  if (h5_) {
-    h5_->add(ping);
-  }
-  if (mcap_) {
-    mcap_->add(0, ping);
+  for (const auto& sink : sinks_) {
+    sink->add(0, ping);
   }
 }
 
 void SonarRecordings::close() {
-  if (h5_) {
-    h5_->close();
-  }
-  if (mcap_) {
-    mcap_->close();
+  for (const auto& sink : sinks_) {
+    sink->close();
   }
 }
 
 std::vector<std::filesystem::path> SonarRecordings::places() const {
   std::vector<std::filesystem::path> places;
-  if (h5_) {
-    places.push_back(h5_->place());
-  }
-  if (mcap_) {
-    places.push_back(mcap_->place());
-  }
+  std::ranges::transform(sinks_, std::back_inserter(places), [](const auto& sink) { return sink->place(); });
   return places;
 }
 

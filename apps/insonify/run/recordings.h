@@ -1,40 +1,33 @@
-// recordings.h -- the recordings of one sonar in a run: HDF5, MCAP or both.
+// recordings.h -- the recordings of one sonar in a run, one in each format that was asked for.
 
 #pragma once
 
 #include <filesystem>
-#include <optional>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "insonify/files.h"
-#include "insonify/mcap_recording.h"
+#include "insonify/recording_formats.h"
 #include "insonify/simulator.h"
 
 namespace insonify {
 
-/// Which files a run records into.
-struct RecordKinds {
-  bool h5 = true, mcap = false;
+/// Formats that a run records in, in the order of recording_formats().
+using RecordKinds = std::vector<const RecordingFormat*>;
 
-  /// @param text  "h5", "mcap", "h5,mcap" or "mcap,h5".
-  static RecordKinds parse(const std::string& text);
+/// @param text  Names of formats with commas between: one of record_choices().
+[[nodiscard]] RecordKinds record_kinds(const std::string& text);
 
-  /// Endings of the files, with their dots.
-  [[nodiscard]] std::vector<std::string> endings() const;
-};
+/// All that may be asked for: each format by itself, and two in either order.
+[[nodiscard]] std::vector<std::string> record_choices();
 
-/// What a run records with.
-struct RecordOptions {
-  RecordKinds kinds = {};
-  RecordingOptions h5 = {};
-  McapOptions mcap = {};
-};
+/// Endings of the files, with their dots.
+[[nodiscard]] std::vector<std::string> endings_of(const RecordKinds& kinds);
 
 /// Recordings of one sonar: DIR/NAME.h5, DIR/NAME.mcap.
 class SonarRecordings {
  public:
-  SonarRecordings(const std::filesystem::path& folder, const Simulator& simulator, int sonar,
+  SonarRecordings(const std::filesystem::path& folder, const Simulator& simulator, int sonar, const RecordKinds& kinds,
                   const RecordOptions& options);
 
   void add(const Ping& ping);
@@ -46,8 +39,7 @@ class SonarRecordings {
 
  private:
   std::vector<std::filesystem::path> files_;
-  std::optional<Recording> h5_;
-  std::optional<McapRecording> mcap_;
+  std::vector<std::unique_ptr<PingSink>> sinks_;
 };
 
 }  // namespace insonify

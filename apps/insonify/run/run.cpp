@@ -64,7 +64,7 @@ Simulator prepare(const RunOptions& options, const std::filesystem::path& folder
       }
     }
     if (!options.force) {
-      refuse_earlier_run(folder, scenario, options.record.endings());
+      refuse_earlier_run(folder, scenario, endings_of(options.record));
     }
     Scene scene = load_scene(scenario, log_to_user(options.quiet));
     Simulator simulator(std::move(scenario), std::move(scene), options.threads);
@@ -86,7 +86,6 @@ std::vector<std::string> names_of(const std::vector<SonarConfig>& sonars) {
 
 RecordOptions record_options(const RunOptions& options, const PictureStyle& style) {
   RecordOptions record{
-      .kinds = options.record,
       .h5 = {.compress = options.compress, .threads = options.threads, .replace = options.force},
       .mcap = {.messages = message_options(style, options.messages),
                .log = [](Severity,
@@ -189,10 +188,12 @@ void print_hints(const Simulator& simulator, const std::vector<Track>& tracks, c
 
 int run(const RunOptions& options) {
   end_when_asked();
-  if (options.compress && !options.record.h5) {
+  if (options.compress &&
+      std::ranges::none_of(options.record, [](const auto* format) { return format->name == "h5"; })) {
     throw InputError("--compress has no effect on --record mcap, only on h5: MCAP is compressed anyway");
   }
-  if (const std::vector<std::string> given = options.messages.given(); !given.empty() && !options.record.mcap) {
+  if (const std::vector<std::string> given = options.messages.given();
+      !given.empty() && std::ranges::none_of(options.record, [](const auto* format) { return format->has_messages; })) {
     throw InputError(given.front() + " has no effect on --record h5, only on mcap");
   }
   const PictureChoice choice = PictureChoice::parse(options.pictures.pictures);
@@ -204,7 +205,7 @@ int run(const RunOptions& options) {
   const Clock::time_point start = Clock::now();
   const ScenarioRequests requests(simulator.scenario());
   print_oddities(simulator, requests, options.quiet);
-  if (const auto unfinished = unfinished_recordings(folder, simulator.scenario(), options.record.endings());
+  if (const auto unfinished = unfinished_recordings(folder, simulator.scenario(), endings_of(options.record));
       !unfinished.empty()) {
     complain(fmt::format("warning: {}{} is an unfinished recording, of a run that was killed or is still running",
                          unfinished.front().string(),
@@ -215,8 +216,8 @@ int run(const RunOptions& options) {
   note_when_asked();
   simulator.stop_when(&stop_asked());
   PictureFolder pictures(folder, names_of(simulator.scenario().sonars));
-  std::vector<Track> tracks =
-      start_tracks(simulator, requests, folder, options.pictures, choice, pictures, record_options(options, style));
+  std::vector<Track> tracks = start_tracks(simulator, requests, folder, options.pictures, choice, pictures,
+                                           options.record, record_options(options, style));
   const std::vector<std::filesystem::path> view_files = write_views(views, pictures);
 
   const double computing = make_pings_or_explain(simulator, requests, tracks, pictures, options.quiet);

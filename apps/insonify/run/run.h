@@ -13,13 +13,13 @@ namespace insonify {
 
 struct RunOptions {
   std::filesystem::path scenario;
-  std::filesystem::path folder;       ///< Empty: the scenario's name + "_pings".
-  int threads = 0;                    ///< 0: one per processor.
-  std::vector<std::string> settings;  ///< "key=value", in order.
-  RecordKinds record = {};            ///< Which recordings are made.
-  MessageChoice messages = {};        ///< What the messages of MCAP recordings hold.
-  bool compress = false;              ///< Compress recordings, with HDF5's own filters.
-  bool force = false;                 ///< Replace recordings and pictures of an earlier run.
+  std::filesystem::path folder;             ///< Empty: the scenario's name + "_pings".
+  int threads = 0;                          ///< 0: one per processor.
+  std::vector<std::string> settings;        ///< "key=value", in order.
+  RecordKinds record = record_kinds("h5");  ///< Which recordings are made.
+  MessageChoice messages = {};              ///< What the messages of MCAP recordings hold.
+  bool compress = false;                    ///< Compress recordings, with HDF5's own filters.
+  bool force = false;                       ///< Replace recordings and pictures of an earlier run.
 
   PictureOptions pictures;
   bool view = true;       ///< Draw a camera view of the scene.

@@ -17,14 +17,15 @@ PictureStyle track_style(const PictureOptions& options, const Scenario& scenario
 
 std::vector<Track> start_tracks(const Simulator& simulator, const ScenarioRequests& requests,
                                 const std::filesystem::path& folder, const PictureOptions& options,
-                                const PictureChoice& choice, PictureFolder& pictures, const RecordOptions& recording) {
+                                const PictureChoice& choice, PictureFolder& pictures, const RecordKinds& kinds,
+                                const RecordOptions& recording) {
   const Scenario& scenario = simulator.scenario();
   std::vector<Track> tracks;
   for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
     const SonarConfig& sonar = simulator.sonar(static_cast<int>(i));
     const std::uint64_t pings = requests.ping_count(static_cast<int>(i));
     const PictureStyle style = track_style(options, scenario, sonar);
-    tracks.push_back({SonarRecordings(folder, simulator, static_cast<int>(i), recording),
+    tracks.push_back({SonarRecordings(folder, simulator, static_cast<int>(i), kinds, recording),
                       PingPictures(pictures, sonar, style, choice, pings)});
   }
   return tracks;

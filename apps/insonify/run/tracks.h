@@ -35,7 +35,7 @@ struct Track {
 [[nodiscard]] std::vector<Track> start_tracks(const Simulator& simulator, const ScenarioRequests& requests,
                                               const std::filesystem::path& folder, const PictureOptions& options,
                                               const PictureChoice& choice, PictureFolder& pictures,
-                                              const RecordOptions& recording);
+                                              const RecordKinds& kinds, const RecordOptions& recording);
 
 /// Removes recordings and pictures of this run if it made no ping: they would only block the next run.
 /// @return  Whether it made no ping.

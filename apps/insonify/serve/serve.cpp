@@ -8,6 +8,7 @@
 #include "console/console.h"
 #include "console/log_to_user.h"
 #include "console/outcome.h"
+#include "insonify/recording_formats.h"
 #include "insonify/words.h"
 #include "serve/recordings.h"
 
@@ -17,8 +18,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 std::unique_ptr<LiveLoop> loop_of(const ServeOptions& options) {
-  const std::string ending = options.scenario.extension().string();
-  if (ending == ".h5" || ending == ".hdf5" || ending == ".mcap") {
+  if (is_recording(options.scenario)) {
     throw InputError(fmt::format("{0}: is a recording, not a scenario; insonify replay {0} --view shows it",
                                  options.scenario.string()));
   }

@@ -17,10 +17,10 @@ constexpr std::size_t kMostKept = 4'000'000;  // Intensities.
 
 // Number of pings from one end of the scanned sector to the other.
 std::size_t pings_of_turn(const SonarConfig& sonar) {
-  if (sonar.type != SonarType::kMechanicallyScanned || sonar.step == 0) {
+  if (!sonar.scans() || sonar.head.step == 0) {
     return 1;
   }
-  return static_cast<std::size_t>(std::ceil(sonar.sector_width / std::abs(sonar.step)));
+  return static_cast<std::size_t>(std::ceil(sonar.head.sector_width / std::abs(sonar.head.step)));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "insonify/error.h"
 #include "insonify/printable.h"
+#include "insonify/recording_formats.h"
 #include "serve/message_members.h"
 
 namespace insonify {
@@ -175,8 +176,8 @@ class ViewerClient : public Client, public HubMember, public std::enable_shared_
       return;
     }
     const std::string format = message.contains("format") ? text_of(message, "format") : "h5";
-    if (format != "h5" && format != "mcap") {
-      throw Error(fmt::format("format = \"{}\" must be h5 or mcap", printable(format)));
+    if (recording_format("a." + format) == nullptr) {
+      throw Error(fmt::format("format = \"{}\" must be {}", printable(format), recording_names("", " or ")));
     }
     simulation().record(hub_.recording_path("." + format), answer("record"));
   }

@@ -278,7 +278,8 @@ bool same_scene(const LiveWorld& a, const LiveWorld& b) {
            one.world_from_mesh.orientation.coeffs() == other.world_from_mesh.orientation.coeffs();
   };
   const auto same_mounting = [](const SonarConfig& one, const SonarConfig& other) {
-    return one.position == other.position && one.orientation == other.orientation && one.mounting == other.mounting;
+    return one.position == other.position && one.orientation == other.orientation &&
+           one.head.mounting == other.head.mounting;
   };
   return std::ranges::equal(a.scene.instances, b.scene.instances, same) &&
          std::ranges::equal(a.scene.materials, b.scene.materials, {}, &Material::name, &Material::name) &&

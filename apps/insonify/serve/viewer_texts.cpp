@@ -19,14 +19,14 @@ Json sonar_json(const LiveWorld& world, int index, const ShownLevels& levels) {
     azimuths.push_back(degrees_from_radians(sonar.beam_azimuth(beam)));
   }
   Json edges = Json::array();
-  for (const double edge : sonar.beam_edges()) {
+  for (const double edge : sonar.bearings().edges()) {
     edges.push_back(degrees_from_radians(edge));
   }
   const bool calibrated = world.scenario.model == EchoModel::kCalibrated;
   return {{"name", sonar.name},
           {"model", sonar.model},
           {"type", word_of(sonar.type)},
-          {"mounting", word_of(sonar.mounting)},
+          {"mounting", word_of(sonar.head.mounting)},
           {"beams", sonar.beam_count},
           {"bins", sonar.bin_count},
           {"min_range", sonar.min_range},
@@ -36,9 +36,9 @@ Json sonar_json(const LiveWorld& world, int index, const ShownLevels& levels) {
           {"elevation_aperture", degrees_from_radians(sonar.elevation_aperture)},
           {"elevation_center", degrees_from_radians(sonar.elevation_center)},
           {"azimuth_aperture", degrees_from_radians(sonar.azimuth_aperture)},
-          {"step", degrees_from_radians(sonar.step)},
-          {"sector_center", degrees_from_radians(sonar.sector_center)},
-          {"sector_width", degrees_from_radians(sonar.sector_width)},
+          {"step", degrees_from_radians(sonar.head.step)},
+          {"sector_center", degrees_from_radians(sonar.head.sector_center)},
+          {"sector_width", degrees_from_radians(sonar.head.sector_width)},
           {"gain_db", 10 * std::log10(sonar.gain)},
           {"period", *sonar.ping_period},
           {"reference", calibrated ? "dB re the source's level at 1 m" : "dB re full scale"},

@@ -43,6 +43,10 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
               "Explicit beam centres, falling from port to starboard: beam_count and azimuth_aperture follow from "
               "them. Evenly spaced in angle when absent."},
         self.beam_azimuths);
+  visit(Field{"beam_widths", "rad", above_to(0, 2 * kPi),
+              "Widths of the slices of azimuth that beams cover, one for all or one for each: narrower ones than the "
+              "spacing leave gaps, from which nothing is received. Beams touch when absent."},
+        self.beam_widths);
   visit(Field{"azimuth_resolution", "rad", above_to(0, 0.5 * kPi),
               "Width at half power of the unsteered beam, one way; the beam spacing when absent (calibrated model, "
               "with an azimuth_pattern).",
@@ -61,6 +65,27 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
               "receiver.elevation_pattern is instrument: top_hat, or the window of an array (calibrated model).",
               ActsIn::kCalibrated},
         self.elevation_pattern);
+  visit(
+      Field{"transmit_elevation_pattern",
+            "",
+            {},
+            "Pattern of the transmitter across elevations: top_hat, the window of an array, or instrument for that of "
+            "the receiver (calibrated model).",
+            ActsIn::kCalibrated},
+      self.transmit_elevation_pattern);
+  visit(
+      Field{"transmit_elevation_aperture", "rad", above_to(0, radians_from_degrees(170)),
+            "Full height of the transmitted beam, as elevation_aperture is of the received ones; the same when absent "
+            "(calibrated model).",
+            ActsIn::kCalibrated},
+      self.transmit_elevation_aperture);
+  visit(Field{"two_way_array",
+              "",
+              {},
+              "Whether the array of a sonar with one beam transmits as well, so that its azimuth_pattern applies both "
+              "ways; that of msis always does (calibrated model).",
+              ActsIn::kCalibrated},
+        self.two_way_array);
   visit(Field{"transmit_width", "rad", above_to(0, kWidestElement),
               "Azimuth width at half power of the transmitter of a fan; omnidirectional in azimuth when absent "
               "(calibrated model).",
@@ -139,12 +164,12 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
   visit(Field{"ping_period", "s", above_to(0, 1e6), "Time between pings; 2 max_range / c when absent, and never less."},
         self.ping_period);
   visit(Field{"step", "rad", from_to(-kPi, kPi), "Turn of a scanning head between pings, positive to port."},
-        self.step);
-  visit(Field{"sector_center", "rad", from_to(-kPi, kPi), "Middle of the scanned sector."}, self.sector_center);
+        self.head.step);
+  visit(Field{"sector_center", "rad", from_to(-kPi, kPi), "Middle of the scanned sector."}, self.head.sector_center);
   visit(Field{"sector_width", "rad", above_to(0, 2 * kPi),
               "Scanned sector; at 360 the head keeps turning, at less it sweeps to and fro."},
-        self.sector_width);
-  visit(Field{"mounting", "", {}, "horizontal (a plan view) or vertical (a slice) scanning head."}, self.mounting);
+        self.head.sector_width);
+  visit(Field{"mounting", "", {}, "horizontal (a plan view) or vertical (a slice) scanning head."}, self.head.mounting);
   visit(
       Field{"position", "m", coordinate(), "On the vehicle, or in the world where there is no trajectory: [x, y, z]."},
       self.position);

@@ -18,12 +18,12 @@ constexpr std::size_t kMostBytes = std::size_t{256} << 20;
 
 std::size_t bytes_of(const PingView& view) {
   constexpr std::size_t kLabelLayers = 5;
-  const std::size_t cells = static_cast<std::size_t>(view.plan->sonar.beam_count) * view.plan->sonar.bin_count;
+  const std::size_t cells = static_cast<std::size_t>(view.plan->beam_count) * view.plan->bin_count;
   return cells * (2 * static_cast<std::size_t>(view.layers.orders) + kLabelLayers) * sizeof(float);
 }
 
 bool has_shape(const EchoGrid& grid, const PingView& view) {
-  return grid.beam_count() == view.plan->sonar.beam_count && grid.bin_count() == view.plan->sonar.bin_count &&
+  return grid.beam_count() == view.plan->beam_count && grid.bin_count() == view.plan->bin_count &&
          grid.order_count() == view.layers.orders && grid.ground_truth() == view.layers.ground_truth &&
          grid.labelled() == (view.layers.labelled || view.layers.ground_truth != GroundTruth::kNone);
 }
@@ -56,8 +56,8 @@ void HostBatch::take_grids() {
                                     [&](const auto& grid) { return has_shape(*grid, views_[i]); });
     if (spare == grids_.end()) {
       const PingView& view = views_[i];
-      grids_.push_back(std::make_unique<EchoGrid>(view.plan->sonar.beam_count, view.plan->sonar.bin_count,
-                                                  view.layers.orders, view.layers.ground_truth, view.layers.labelled));
+      grids_.push_back(std::make_unique<EchoGrid>(view.plan->beam_count, view.plan->bin_count, view.layers.orders,
+                                                  view.layers.ground_truth, view.layers.labelled));
       std::swap(grids_[i], grids_.back());
     } else {
       std::swap(grids_[i], *spare);

@@ -44,7 +44,7 @@ void BeamTask::prepare(const PingPlan& plan, SecondarySampling sampling, const L
       hits_[column] = strip_.column(column);
     }
   }
-  sums_.prepare(plan.sonar.bin_count);
+  sums_.prepare(plan.bin_count);
   turns_.prepare(plan.lattice.rows);
 }
 

@@ -20,7 +20,8 @@ CpuPing::CpuPing(const CpuWorld& world, Workers& workers) : world_(world), worke
 }
 
 bool CpuPing::draws(const PingPlan& plan, const CpuWorld& world) {
-  return primary_echoes(plan.primary, plan.sonar, world.triangle_count(), CpuEngine::kKind.draws_primaries,
+  return primary_echoes(plan.primary, plan.azimuth_aperture, 1.0 * plan.lattice.columns * plan.lattice.rows,
+                        world.triangle_count(), CpuEngine::kKind.draws_primaries,
                         plan.lattice.even_rows) == PrimaryEchoes::kRaster;
 }
 
@@ -54,7 +55,7 @@ void CpuPing::for_each_task(const PingPlan& plan, SecondarySampling sampling, Wo
 RayCounts CpuPing::insonify(const PingPlan& plan, const Pose& world_from_sonar, EchoGrid& grid) {
   const FanView* view = look(plan, world_from_sonar);
   const SecondarySampling sampling = choose_sampling(plan, world_from_sonar);
-  cut_beams(plan.sonar.beam_count, workers_.count(), first_beams_);
+  cut_beams(plan.beam_count, workers_.count(), first_beams_);
   arrivals_.resize(std::max(arrivals_.size(), static_cast<std::size_t>(task_count())));
   for_each_task(plan, sampling, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
     scratch.run(world_from_sonar, first_beam, last_beam, view, grid, arrivals_[task]);
@@ -72,9 +73,9 @@ RayCounts CpuPing::insonify(const PingPlan& plan, const Pose& world_from_sonar, 
 }
 
 std::vector<double> CpuPing::time_traversal(const PingPlan& plan, const Pose& world_from_sonar, int repetitions) {
-  cut_beams(plan.sonar.beam_count, workers_.count(), first_beams_);
+  cut_beams(plan.beam_count, workers_.count(), first_beams_);
   std::vector<SecondaryTask::Log> logs(task_count());
-  EchoGrid grid(plan.sonar.beam_count, plan.sonar.bin_count, kPathOrders);
+  EchoGrid grid(plan.beam_count, plan.bin_count, kPathOrders);
   const SecondarySampling sampling = choose_sampling(plan, world_from_sonar);
   for_each_task(plan, sampling, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
     std::vector<Echo> arrivals;

@@ -203,8 +203,8 @@ void SecondaryTask::return_mirrored(const RTCRay16& rays, const ReflectedOrigins
     const Vec3f arrival_direction = -(axes_.transpose() * returns.back(lane));
     if (powers.once[lane] > 0 && 0.5F * (there + back) < plan_->reach() && plan_->receives(arrival_direction)) {
       echo.half_length = returns.once[lane];
-      const ReciprocalEchoes echoes = reciprocal_echoes(*plan_, origins.column[lane], echo, powers.once[lane],
-                                                        plan_->arrival_from(arrival_direction));
+      const ReciprocalEchoes echoes = reciprocal_echoes(*plan_, origins.column[lane], origins.row[lane], echo,
+                                                        powers.once[lane], plan_->arrival_from(arrival_direction));
       returning_[returning_count_] = echoes.launched;
       arriving_[returning_count_] = echoes.arriving;
       send_back(returns.point(lane), returns.back(lane), back);

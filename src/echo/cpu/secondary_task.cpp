@@ -60,7 +60,8 @@ void SecondaryTask::reflect(const HitColumn& strip, int stride, int first_column
                                  : row > 0 && strip.surface[place - 1] == surface      ? place - 1
                                                                                        : place;
       const int aside = other * stride + row;
-      aside_[candidate_count_] = other < columns && strip.surface[aside] == surface ? aside : place;
+      const bool beside = other < columns && plan_->lattice.touches_next(first_column + std::min(column, other));
+      aside_[candidate_count_] = beside && strip.surface[aside] == surface ? aside : place;
       candidate_origins_.column[candidate_count_] = first_column + column;
       candidate_origins_.row[candidate_count_] = row;
       if (++candidate_count_ == kPacketSize) {

@@ -66,7 +66,7 @@ void WaterReturns::connect(const SecondHit& hit, int column, int row, const Echo
                         .once;
   one.weight *= weight;
   echoes_[count_] =
-      reciprocal_echoes(*plan_, column, one, static_cast<float>(power), plan_->arrival_from(arrival_direction));
+      reciprocal_echoes(*plan_, column, row, one, static_cast<float>(power), plan_->arrival_from(arrival_direction));
 
   const Vec3 from_bounce = sonar_ - path->bounce;
   const double last = from_bounce.norm(), first = path->length - last;

@@ -30,15 +30,15 @@ struct ReciprocalEchoes {
   Echo arriving;  ///< Arrives from the end of the path.
 };
 
+/// @param column, row  Sample of the lattice that the path was launched to.
 /// @param echo     secondary_echo() of the path, with its lengths.
 /// @param power    Without patterns.
 /// @param arrival  From the end of the path.
-inline ReciprocalEchoes reciprocal_echoes(const PingPlan& plan, int column, const Echo& echo, float power,
+inline ReciprocalEchoes reciprocal_echoes(const PingPlan& plan, int column, int row, const Echo& echo, float power,
                                           const PingPlan::Arrival& arrival) {
   ReciprocalEchoes echoes{echo, echo};
-  const float received = power * arrival.pattern;
-  echoes.launched.power = received * plan.sent_beside(column, arrival);
-  echoes.arriving.power = received * plan.received_beside(column, arrival);
+  echoes.launched.power = plan.reciprocal_power(column, row, power, arrival);
+  echoes.arriving.power = plan.arriving_power(column, power, arrival);
   echoes.arriving.azimuth = arrival.bearing;
   echoes.arriving.elevation = arrival.elevation;
   return echoes;

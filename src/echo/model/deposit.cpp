@@ -128,7 +128,7 @@ FootprintSegment open_segment(const PingPlan& plan, int column, const HitColumn&
   const auto end_at = [&](End at) {
     return plane_end(plan, hits, segments, row, behind, cos_here, sin_here, at.cosine, at.sine);
   };
-  const auto bins = static_cast<float>(plan.sonar.bin_count);
+  const auto bins = static_cast<float>(plan.bin_count);
   float power = hits.power[row], half_rise = 0;
   float ends_at = end_at(end);
   if (const float next_at = next == nullptr ? here : end_at(*next); next_at > bins && here < bins) {

@@ -53,14 +53,14 @@ template <typename Label, typename Value>
 void deposit(const PingPlan& plan, const Echo& echo, EchoGrid& grid) {
   const int beam = plan.beam_of(echo.azimuth);
   const float middle = (0.5F * echo.path_length - plan.first_bin_at) * plan.bins_per_metre;
-  const auto bins = static_cast<float>(plan.sonar.bin_count);
+  const auto bins = static_cast<float>(plan.bin_count);
   const float reach = echo.half_length * plan.bins_per_metre + least_half_length(middle);
   const float low = middle - reach, high = middle + reach;
   if (beam < 0 || !(high > 0) || !(low < bins)) {
     return;
   }
   const int first = low > 0 ? static_cast<int>(low) : 0;
-  const int last = high < bins ? static_cast<int>(high) + 1 : plan.sonar.bin_count;
+  const int last = high < bins ? static_cast<int>(high) + 1 : plan.bin_count;
   const int count = last - first;
   const EchoGrid::Cells cells = grid.to_fill(echo.order, beam, {first, last});
   const auto start = static_cast<float>(first);
@@ -80,7 +80,7 @@ void deposit(const PingPlan& plan, const Echo& echo, EchoGrid& grid) {
   // Four cells at a time, if the beam has as many left; the weight in cells from `last` on is zero.
   bool elsewhere = false;
   int i = 0;
-  for (; i < count && first + i + kLanes <= plan.sonar.bin_count; i += kLanes) {
+  for (; i < count && first + i + kLanes <= plan.bin_count; i += kLanes) {
     elsewhere |=
         add<Labels>(echo, weight_in(static_cast<float>(i) + Floats{0, 1, 2, 3}, spread), grid.labelled(), cells, i);
   }

@@ -15,10 +15,11 @@ namespace insonify {
 template <typename ForEachEcho>
 void deposit_together(const PingPlan& plan, Workers& workers, EchoGrid& grid, const ForEachEcho& for_each_echo) {
   constexpr int kTasksAWorker = 4;
-  const int beams = plan.sonar.beam_count;
+  const int beams = plan.beam_count;
   const int tasks = workers.count() == 1 ? 1 : std::min(beams, kTasksAWorker * workers.count());
   workers.for_each(tasks, [&](int task, int) {
-    const float high = plan.beam_edge(beams * task / tasks), low = plan.beam_edge(beams * (task + 1) / tasks);
+    const int last = beams * (task + 1) / tasks - 1;
+    const float high = plan.port_edges[beams * task / tasks], low = plan.starboard_edges[last];
     for_each_echo([&](const Echo& echo) {
       if (echo.azimuth <= high && echo.azimuth > low) {
         deposit(plan, echo, grid);

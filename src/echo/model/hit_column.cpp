@@ -262,10 +262,10 @@ void finish_column(const PingPlan& plan, SecondarySampling sampling, int column,
                    FootprintSegments& segments) {
   const Lattice& lattice = plan.lattice;
   const int rows = evaluated_rows(lattice, hits);
-  fill_segments(rows, static_cast<float>(plan.sonar.bin_count), lattice.intervals(column),
-                lattice.column_measure[column], lattice.elevations(column), segments.position.data(),
-                segments.reach.data(), hits.power, segments.low.data(), segments.high.data(), segments.power.data(),
-                segments.half_rise.data(), segments.density.data(), segments.elevation.data());
+  fill_segments(rows, static_cast<float>(plan.bin_count), lattice.intervals(column), lattice.column_measure[column],
+                lattice.elevations(column), segments.position.data(), segments.reach.data(), hits.power,
+                segments.low.data(), segments.high.data(), segments.power.data(), segments.half_rise.data(),
+                segments.density.data(), segments.elevation.data());
   if (hits.passing) {
     weigh_by_kept(rows, hits.reached, hits.passed, segments.power.data(), segments.half_rise.data(),
                   segments.density.data());

@@ -66,7 +66,7 @@ float thin_per_metre(const PingPlan& plan) {
   const float* const elevation = lattice.elevations(middle);
   const float rows = lattice.rows > 1
                          ? (elevation[lattice.rows - 1] - elevation[0]) / static_cast<float>(lattice.rows - 1)
-                         : static_cast<float>(plan.sonar.elevation_aperture);
+                         : static_cast<float>(plan.elevation_aperture);
   return kSamples * std::max(rows, lattice.column_width[middle]);
 }
 

@@ -162,10 +162,16 @@ void NormalTurns::find(const PingPlan& plan, int first, std::span<HitColumn> str
                     along.joined + 1, hits.turn_up_x, hits.turn_up_y, hits.turn_up_z);
   }
 
-  // From column to column, where the next one is.
+  // From column to column, where the next one is, and beside it.
   for (int i = 0; i + 1 < count; ++i) {
     const HitColumn& hits = strip[i];
     const Differences across = differences(i);
+    if (!plan.lattice.touches_next(first + i)) {
+      for (float* const values : {across.x, across.y, across.z, across.joined}) {
+        std::fill_n(values, rows, 0.0F);
+      }
+      continue;
+    }
     most = std::max(most, subtract_columns(rows, Samples(hits), Samples(strip[i + 1]),
                                            stagger_between(plan.lattice, first + i), hits.turn_up_x, hits.turn_up_y,
                                            hits.turn_up_z, across.x, across.y, across.z, across.joined));

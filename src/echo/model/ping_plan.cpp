@@ -8,61 +8,100 @@
 namespace insonify {
 namespace {
 
-// Least gain of a head that counts, one way: in a null, gains of cells and of echoes in them are not alike.
-constexpr float kLeastHeadGain = 1e-3F;
+// Least gain of a two-way array that counts, one way: in a null, gains of cells and of echoes in them are not alike.
+constexpr float kLeastArrayGain = 1e-3F;
 
-std::optional<ElevationPattern> elevation_pattern_of(const PingPlanSettings& settings) {
-  if (!settings.elevation_array) {
-    return {};
+BearingGrid cells_of(const PingPlanSettings& settings) {
+  if (settings.cells.count() > 0) {
+    return settings.cells;
   }
-  return ElevationPattern(*settings.elevation_array, settings.sonar);
+  BearingGrid beams = settings.sonar.bearings();
+  beams.shape = settings.beam_shape;
+  return beams;
+}
+
+int columns_of(const PingPlanSettings& settings) {
+  return settings.columns_per_cell > 0 ? settings.columns_per_cell
+                                       : settings.sonar.sampling.columns_per_beam.value_or(Sampling::kColumns);
+}
+
+std::vector<float> to_floats(const std::vector<double>& values) {
+  return {values.begin(), values.end()};
 }
 
 }  // namespace
 
 PingPlan::PingPlan(const PingPlanSettings& settings)
-    : sonar(settings.sonar),
-      elevation_pattern(elevation_pattern_of(settings)),
-      transmitter(settings.sonar.transmit_width),
-      lattice(settings.sonar, settings.stagger_phase, settings.beam_shape,
-              elevation_pattern ? &*elevation_pattern : nullptr),
-      model(settings.model),
-      shape(settings.paper),
-      scatter(settings.materials, settings.sonar.frequency, settings.rough_mirrors),
-      primary(settings.primary),
-      secondary(settings.max_surfaces > 1 ? settings.secondary : SecondaryEchoes::kNone),
-      max_surfaces(settings.max_surfaces),
-      rough_mirrors(settings.rough_mirrors) {
-  const double true_speed = settings.water.true_sound_speed();
+    : scatter(settings.materials, settings.sonar.frequency, settings.rough_mirrors) {
+  const SonarConfig& sonar = settings.sonar;
+  const BearingGrid cells = cells_of(settings);
+  const ElevationPatterns patterns({settings.elevation_array, sonar.elevation_aperture}, settings.sent_across,
+                                   sonar.elevation_center);
+  lattice = Lattice(cells, columns_of(settings), sonar, patterns, settings.stagger_phase);
+  set_sonar(sonar, settings.water);
+  set_bearings(cells, settings);
+  set_elevations(patterns);
+  model = settings.model;
+  shape = PaperShape(settings.paper);
+  primary = settings.primary;
+  secondary = settings.max_surfaces > 1 ? settings.secondary : SecondaryEchoes::kNone;
+  max_surfaces = settings.max_surfaces;
+  rough_mirrors = settings.rough_mirrors;
+  seed = settings.seed;
+  const auto purpose = static_cast<std::uint32_t>(RandomPurpose::kSecondarySelection);
+  stagger = philox({0, 0, 0, purpose}, philox_key(settings.seed))[0];
+}
+
+void PingPlan::set_sonar(const SonarConfig& sonar, const Water& water) {
+  const double true_speed = water.true_sound_speed();
   const double scale = sonar.assumed_sound_speed.value_or(true_speed) / true_speed;
-  neper_per_metre = static_cast<float>(kNeperPerDecibel * settings.water.absorption_db_per_m_at(sonar.frequency));
+  bin_count = sonar.bin_count;
+  frequency = sonar.frequency;
+  source_level_db = sonar.source_level_db;
+  elevation_center = sonar.elevation_center;
+  elevation_aperture = sonar.elevation_aperture;
+  transmitter = FanPattern(sonar.transmit_width);
+  neper_per_metre = static_cast<float>(kNeperPerDecibel * water.absorption_db_per_m_at(sonar.frequency));
   range_per_metre = static_cast<float>(scale);
   true_max_range = static_cast<float>(sonar.max_range / scale);
   bins_per_metre = static_cast<float>(scale / sonar.bin_length());
   first_bin_at = static_cast<float>(sonar.min_range / scale);
   turns_per_metre = 2 * sonar.frequency / true_speed;
-  seed = settings.seed;
   middle_elevation = static_cast<float>(sonar.elevation_center);
-  const auto purpose = static_cast<std::uint32_t>(RandomPurpose::kSecondarySelection);
-  stagger = philox({0, 0, 0, purpose}, philox_key(settings.seed))[0];
-  for (const double edge : sonar.beam_edges()) {
-    beam_edges_.push_back(static_cast<float>(edge));
-  }
-  const double half = 0.5 * sonar.elevation_aperture;
-  tan_low_ = static_cast<float>(std::tan(elevation_pattern ? elevation_pattern->low() : sonar.elevation_center - half));
-  tan_high_ =
-      static_cast<float>(std::tan(elevation_pattern ? elevation_pattern->high() : sonar.elevation_center + half));
-  beams_per_radian_ = static_cast<float>(sonar.beam_count) / (beam_edges_.front() - beam_edges_.back());
-  for (int column = 0; column < lattice.columns && !settings.head_gains.empty(); ++column) {
-    const float gain = settings.head_gains[static_cast<std::size_t>(column / lattice.columns_per_beam)];
-    lattice.transmitted[column] = std::max(gain, kLeastHeadGain);
+}
+
+void PingPlan::set_bearings(const BearingGrid& cells, const PingPlanSettings& settings) {
+  beam_count = cells.count();
+  port_edges = to_floats(cells.port);
+  starboard_edges = to_floats(cells.starboard);
+  beams_per_radian = static_cast<float>(beam_count) / (port_edges.front() - starboard_edges.back());
+  // Guard cells of a table of beams do not count.
+  azimuth_aperture = settings.sonar.beam_azimuths.size() > 1 ? settings.sonar.azimuth_aperture : cells.extent();
+  two_way = !settings.array_gains.empty();
+  for (int column = 0; column < lattice.columns && two_way; ++column) {
+    const float gain = settings.array_gains[static_cast<std::size_t>(column / lattice.columns_per_beam)];
+    lattice.transmitted[column] = std::max(gain, kLeastArrayGain);
   }
 }
 
-// What a head sends to a bearing is that of its cell's first column.
+void PingPlan::set_elevations(const ElevationPatterns& patterns) {
+  const auto take = [](const ElevationPattern* pattern, PatternAxis& axis, std::vector<float>& table) {
+    if (pattern != nullptr) {
+      axis = pattern->axis();
+      table = pattern->table();
+    }
+  };
+  sends_apart = patterns.differ();
+  take(patterns.sent(), sent_axis, sent_across);
+  take(patterns.received(), received_axis, received_across);
+  tan_low = static_cast<float>(std::tan(patterns.low()));
+  tan_high = static_cast<float>(std::tan(patterns.high()));
+}
+
+// What a two-way array sends to a bearing is that of its cell's first column.
 float PingPlan::sent_to(const Arrival& arrival) const {
-  return is_head() ? lattice.transmitted[std::max(0, beam_of(arrival.bearing)) * lattice.columns_per_beam]
-                   : arrival.transmitted;
+  return two_way ? lattice.transmitted[std::max(0, beam_of(arrival.bearing)) * lattice.columns_per_beam]
+                 : arrival.transmitted;
 }
 
 float PingPlan::sent_beside(int column, const Arrival& arrival) const {
@@ -70,7 +109,10 @@ float PingPlan::sent_beside(int column, const Arrival& arrival) const {
 }
 
 double PingPlan::sent_gain(const Arrival& leaves, const Arrival& arrives) const {
-  return double{sent_to(leaves)} / (is_head() ? double{sent_to(arrives)} : 1.0);
+  const double across = leaves.sent == leaves.received ? 1.0
+                        : leaves.received > 0          ? double{leaves.sent} / double{leaves.received}
+                                                       : 0.0;
+  return across * double{sent_to(leaves)} / (two_way ? double{sent_to(arrives)} : 1.0);
 }
 
 std::shared_ptr<const PingPlan> make_ping_plan(const PingPlanSettings& settings) {

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "echo/laws/laws.h"
 #include "echo/model/paper_shape.h"
 #include "echo/model/scatter_table.h"
 #include "insonify/array_pattern.h"
+#include "insonify/bearing_grid.h"
 #include "insonify/engine.h"
 #include "insonify/ground_truth.h"
 #include "insonify/material.h"
@@ -26,6 +28,8 @@ namespace insonify {
 /// What a PingPlan is made from.
 struct PingPlanSettings {
   SonarConfig sonar = {};
+  BearingGrid cells = {};    ///< Slices of bearing that are sampled; none: the sonar's beams, of shape beam_shape.
+  int columns_per_cell = 0;  ///< Lattice columns in each of `cells`.
   Water water = {};
   EchoModel model = EchoModel::kPaper;
   PaperModel paper = {};
@@ -33,11 +37,11 @@ struct PingPlanSettings {
 
   // For the calibrated model. Primaries can be rasterised only with these defaults.
   BeamShape beam_shape = BeamShape::kWedge;
-  /// One-way pattern in elevation of transmitter and receiver; its half-power width is the elevation aperture. Absent:
-  /// a top hat.
+  /// One-way pattern in elevation of the receiver; its half-power width is the elevation aperture. Absent: a top hat.
   std::optional<ArraySettings> elevation_array = {};
-  /// Intensity gain of a scanning head's array, one way, at the centre of each cell; empty for other sonars.
-  std::vector<float> head_gains = {};
+  std::optional<ElevationWay> sent_across = {};  ///< Transmitter across elevations; absent: as the receiver.
+  /// Intensity gain, one way, at the centre of each cell of an array across bearings that transmits too; else empty.
+  std::vector<float> array_gains = {};
 
   PrimaryEchoes primary = PrimaryEchoes::kAuto;
   SecondaryEchoes secondary = SecondaryEchoes::kSelective;
@@ -47,38 +51,23 @@ struct PingPlanSettings {
   int stagger_phase = 0;  ///< Offset of the samples, >= 0: what changes with it is sampling error.
 };
 
-/// Everything about one sonar that does not change from ping to ping, computed once.
-class PingPlan {
- public:
-  explicit PingPlan(const PingPlanSettings& settings);
+/// The numbers of a PingPlan.
+struct PlanNumbers {
+  int beam_count = 0, bin_count = 0;                    ///< Of the EchoGrid: slices of bearing, and range bins.
+  double frequency = 0;                                 ///< [Hz]
+  double source_level_db = 0;                           ///< [dB re 1 uPa at 1 m]
+  double elevation_center = 0, elevation_aperture = 0;  ///< [rad]
+  double azimuth_aperture = 0;                          ///< For the choice of the primaries' method [rad].
+  bool two_way = false;  ///< Whether the array across bearings transmits too: Lattice::transmitted is its gain.
 
-  SonarConfig sonar;
-  std::optional<ElevationPattern> elevation_pattern;  ///< Absent: a top hat over the aperture.
-  FanPattern transmitter;                             ///< Gain of a fan's transmitter across bearings.
-  Lattice lattice;
-  EchoModel model;
-  PaperShape shape;      ///< `paper`
-  ScatterTable scatter;  ///< `calibrated`
-  PrimaryEchoes primary;
-  SecondaryEchoes secondary;  ///< kNone if max_surfaces is 1.
-  int max_surfaces;
-  bool rough_mirrors;  ///< `calibrated`: mirrors have no coherent reflection.
-
-  /// In the water [m].
-  [[nodiscard]] float wavelength() const { return static_cast<float>(2 / turns_per_metre); }
-
-  /// Whether any surface lets sound through: see see_through.h.
-  [[nodiscard]] bool sees_through() const { return model == EchoModel::kCalibrated && scatter.any_passing(); }
-
-  /// Whether facets reflect any rays: see facet_slope().
-  [[nodiscard]] bool has_facets() const {
-    return model == EchoModel::kCalibrated && (rough_mirrors || scatter.any_rough());
-  }
-
-  /// The argument of facet_slope() for a surface.
-  [[nodiscard]] float mirror_roughness(SurfaceLabel surface) const {
-    return rough_mirrors ? kAllRough : scatter.roughness(surface);
-  }
+  EchoModel model = EchoModel::kPaper;
+  PaperShape shape{PaperModel()};  ///< `paper`
+  bool sends_apart = false;        ///< Whether the transmitter's pattern across elevations differs from the receiver's.
+  FanPattern transmitter{std::nullopt};  ///< Gain across bearings, where the array does not transmit.
+  PrimaryEchoes primary = PrimaryEchoes::kAuto;
+  SecondaryEchoes secondary = SecondaryEchoes::kSelective;  ///< kNone if max_surfaces is 1.
+  int max_surfaces = kPathOrders;
+  bool rough_mirrors = false;  ///< `calibrated`: mirrors have no coherent reflection.
 
   float neper_per_metre = 0;   ///< Absorption of pressure amplitude [Np/m].
   float range_per_metre = 1;   ///< Reported range / true range = assumed sound speed / true sound speed.
@@ -89,6 +78,56 @@ class PingPlan {
   double turns_per_metre = 0;  ///< Full turns of an echo's phase per metre of range [1/m].
   std::uint64_t seed = 0;
   std::uint32_t stagger = 0;  ///< Random offset of the selection of reflected rays and of facets, from the seed.
+
+  float beams_per_radian = 0;       ///< On average.
+  float tan_low = 0, tan_high = 0;  ///< Tangents of the lowest and highest elevation that are sent to and received.
+  PatternAxis sent_axis = {}, received_axis = {};  ///< Of the tables of gain across elevations.
+};
+static_assert(std::is_trivially_copyable_v<PlanNumbers>);
+
+/// Everything about one sonar that does not change from ping to ping, computed once: numbers and tables of numbers.
+class PingPlan : public PlanNumbers {
+ public:
+  PingPlan() = default;  ///< Empty: for visit_parts() to fill in.
+  explicit PingPlan(const PingPlanSettings& settings);
+
+  Lattice lattice;
+  ScatterTable scatter;  ///< `calibrated`
+
+  // [beam] Edges of the slices, falling [rad].
+  std::vector<float> port_edges, starboard_edges;
+
+  // |p|^2 across elevations of transmitter and receiver, at sent_axis and received_axis; empty for a top hat.
+  std::vector<float> sent_across, received_across;
+
+  /// Calls numbers(struct) on each part of a plan that is plain numbers and table(name, vector) on each table. A plan
+  /// is rebuilt from copies of these.
+  template <typename Self, typename Numbers, typename Table>
+  static void visit_parts(Self& self, const Numbers& numbers, const Table& table) {
+    numbers(static_cast<std::conditional_t<std::is_const_v<Self>, const PlanNumbers&, PlanNumbers&>>(self));
+    table("port_edges", self.port_edges);
+    table("starboard_edges", self.starboard_edges);
+    table("sent_across", self.sent_across);
+    table("received_across", self.received_across);
+    Lattice::visit_parts(self.lattice, numbers, table);
+    ScatterTable::visit_parts(self.scatter, numbers, table);
+  }
+
+  /// In the water [m].
+  [[nodiscard]] float wavelength() const { return static_cast<float>(2 / turns_per_metre); }
+
+  /// Whether any surface lets sound through: see see_through.h.
+  [[nodiscard]] bool sees_through() const { return model == EchoModel::kCalibrated && scatter.any_passing(); }
+
+  /// Whether facets reflect any rays: see facet_slope().
+  [[nodiscard]] bool has_facets() const {
+    return model == EchoModel::kCalibrated && (rough_mirrors || scatter.has_rough());
+  }
+
+  /// The argument of facet_slope() for a surface.
+  [[nodiscard]] float mirror_roughness(SurfaceLabel surface) const {
+    return rough_mirrors ? kAllRough : scatter.roughness(surface);
+  }
 
   /// Greatest range of a secondary echo whose footprint still overlaps the last bin: true distance [m].
   [[nodiscard]] float reach() const { return (1 + 0.5F * kWidestFootprint) * true_max_range; }
@@ -104,47 +143,54 @@ class PingPlan {
   /// How sound from a direction arrives.
   struct Arrival {
     float bearing, elevation;  ///< [rad]
-    float pattern;             ///< |p|^2 of the elevation pattern, one way; 1 without one.
+    float sent, received;      ///< |p|^2 across elevations of the transmitter and of the receiver; 1 without one.
     float transmitted;         ///< Intensity gain of the transmitter across bearings; 1 without a transmit_width.
 
     /// Intensity gain of sound that leaves and arrives in this direction.
-    [[nodiscard]] double both_ways() const { return double{pattern} * double{pattern} * double{transmitted}; }
+    [[nodiscard]] double both_ways() const { return double{sent} * double{received} * double{transmitted}; }
   };
   /// @param direction  Unit vector in the sonar frame.
   [[nodiscard]] Arrival arrival_from(const Vec3f& direction) const;
 
-  /// Gain of what is sent where an arrival comes from, re that of what is sent to a column: a path by a mirror leaves
-  /// towards the one and arrives from the other.
-  [[nodiscard]] float sent_beside(int column, const Arrival& arrival) const;
-
-  /// Factor on an echo that leaves towards one direction and arrives from another, besides its gain of reception. A
-  /// scanning head receives all with the gain of its array both ways, as if it had left where it arrives from.
-  [[nodiscard]] double sent_gain(const Arrival& leaves, const Arrival& arrives) const;
-
-  /// The same of an echo that leaves towards a column, re the gain of that.
-  [[nodiscard]] float received_beside(int column, const Arrival& arrives) const {
-    return is_head() ? 1 / sent_beside(column, arrives) : 1;
+  /// Power of an echo that leaves towards a sample of the lattice and arrives from `arrival`, with the receiver's gain
+  /// there. Its weight is that of the sample, and a two-way array applies to it as if it had left where it arrives.
+  [[nodiscard]] float arriving_power(int column, float power, const Arrival& arrival) const {
+    return power * arrival.received * (two_way ? 1 / sent_beside(column, arrival) : 1.0F);
   }
 
-  /// Beam that contains a bearing [rad]; -1 outside the fan.
-  [[nodiscard]] int beam_of(float bearing) const;
+  /// Power of the reciprocal path, which leaves towards `arrival` and arrives from the sample, with the same weight.
+  [[nodiscard]] float reciprocal_power(int column, int row, float power, const Arrival& arrival) const {
+    return power * arrival.sent * sent_beside(column, arrival) * lattice.reciprocals(column)[row];
+  }
 
-  /// Bearing of the port edge of a beam; of the beam after the last one: the starboard edge of the fan [rad].
-  [[nodiscard]] float beam_edge(int beam) const { return beam_edges_[beam]; }
+  /// Factor on an echo that leaves towards one direction and arrives from another, and whose intensity has the
+  /// receiver's gain across elevations in both. A two-way array receives all with its gain both ways, as if it had left
+  /// where it arrives from.
+  [[nodiscard]] double sent_gain(const Arrival& leaves, const Arrival& arrives) const;
+
+  /// Beam that contains a bearing [rad]; -1 outside the fan and in a gap between beams.
+  [[nodiscard]] int beam_of(float bearing) const {
+    const int beam = nearest_beam(bearing);
+    return bearing <= port_edges[beam] && bearing > starboard_edges[beam] ? beam : -1;
+  }
+
+  /// The same, but outside of all beams one beside it.
+  [[nodiscard]] int nearest_beam(float bearing) const;
 
   /// Bin that contains a true range [m]; -1 outside the window.
   [[nodiscard]] int bin_of(float range) const;
 
  private:
-  [[nodiscard]] bool is_head() const { return sonar.type == SonarType::kMechanicallyScanned; }
+  void set_sonar(const SonarConfig& sonar, const Water& water);
+  void set_bearings(const BearingGrid& cells, const PingPlanSettings& settings);
+  void set_elevations(const ElevationPatterns& patterns);
   [[nodiscard]] float sent_to(const Arrival& arrival) const;
+
+  // Gain of what is sent across bearings where an arrival comes from, re that of what is sent to a column.
+  [[nodiscard]] float sent_beside(int column, const Arrival& arrival) const;
 
   // Azimuth [rad]; on a cone the angle from the array's broadside.
   [[nodiscard]] float bearing_of(const Vec3f& direction) const;
-
-  std::vector<float> beam_edges_;     // In descending order [rad].
-  float beams_per_radian_ = 0;        // On average.
-  float tan_low_ = 0, tan_high_ = 0;  // Tangents of the lowest and highest elevation that are received.
 };
 
 [[nodiscard]] std::shared_ptr<const PingPlan> make_ping_plan(const PingPlanSettings& settings);
@@ -158,42 +204,44 @@ inline bool PingPlan::receives(const Vec3f& direction) const {
   const float level = std::sqrt(direction.x() * direction.x() + direction.y() * direction.y());
   // A line array cannot tell front from back: on a cone what is behind has the bearing of a direction in front.
   const bool behind = lattice.shape == BeamShape::kCone && direction.x() < 0;
-  return direction.z() >= tan_low_ * level && direction.z() <= tan_high_ * level && !behind &&
+  return direction.z() >= tan_low * level && direction.z() <= tan_high * level && !behind &&
          beam_of(bearing_of(direction)) >= 0;
 }
 
 inline bool PingPlan::receives_nothing_of(const Vec3f& middle, float radius) const {
   const float level = std::sqrt(middle.x() * middle.x() + middle.y() * middle.y());
-  return middle.z() - tan_high_ * level > radius * std::sqrt(1 + tan_high_ * tan_high_) ||
-         tan_low_ * level - middle.z() > radius * std::sqrt(1 + tan_low_ * tan_low_);
+  return middle.z() - tan_high * level > radius * std::sqrt(1 + tan_high * tan_high) ||
+         tan_low * level - middle.z() > radius * std::sqrt(1 + tan_low * tan_low);
 }
 
 inline PingPlan::Arrival PingPlan::arrival_from(const Vec3f& direction) const {
   const float elevation = std::atan2(direction.z(), std::hypot(direction.x(), direction.y()));
-  const float pattern =
-      elevation_pattern ? static_cast<float>(elevation_pattern->intensity(static_cast<double>(elevation))) : 1.0F;
+  const auto gain = [&](const PatternAxis& axis, const std::vector<float>& table) {
+    return table.empty() ? 1.0F : static_cast<float>(axis.look_up(table, double{elevation}));
+  };
   const float bearing = bearing_of(direction);
   const float transmitted =
       transmitter.is_flat() ? 1.0F : static_cast<float>(transmitter.intensity(std::sin(double{bearing})));
-  return {bearing, elevation, pattern, transmitted};
+  const float received = gain(received_axis, received_across);
+  return {bearing, elevation, sends_apart ? gain(sent_axis, sent_across) : received, received, transmitted};
 }
 
 inline int PingPlan::bin_of(float range) const {
   const float position = (range - first_bin_at) * bins_per_metre;
-  return position >= 0 && position < static_cast<float>(sonar.bin_count) ? static_cast<int>(position) : -1;
+  return position >= 0 && position < static_cast<float>(bin_count) ? static_cast<int>(position) : -1;
 }
 
-inline int PingPlan::beam_of(float bearing) const {
+inline int PingPlan::nearest_beam(float bearing) const {
   // First guess, exact but for rounding if all beams are equally wide; then a search.
-  const float across = (beam_edges_.front() - bearing) * beams_per_radian_;
-  int beam = std::clamp(static_cast<int>(across), 0, sonar.beam_count - 1);
-  while (beam > 0 && bearing > beam_edges_[beam]) {
+  const float across = (port_edges.front() - bearing) * beams_per_radian;
+  int beam = std::clamp(static_cast<int>(across), 0, beam_count - 1);
+  while (beam > 0 && bearing > port_edges[beam]) {
     --beam;
   }
-  while (beam + 1 < sonar.beam_count && bearing <= beam_edges_[beam + 1]) {
+  while (beam + 1 < beam_count && bearing <= port_edges[beam + 1]) {
     ++beam;
   }
-  return bearing <= beam_edges_[beam] && bearing > beam_edges_[beam + 1] ? beam : -1;
+  return beam;
 }
 
 }  // namespace insonify

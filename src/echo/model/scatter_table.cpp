@@ -100,9 +100,20 @@ void append(const AngleTable& table, std::vector<float>& values) {
   values.push_back(values.back());
 }
 
+// Adds a table, if there is one, and returns its index.
+template <typename Value>
+std::int32_t add(const std::shared_ptr<const Value>& value, std::vector<Value>& values) {
+  if (!value) {
+    return -1;
+  }
+  values.push_back(*value);
+  return static_cast<std::int32_t>(values.size()) - 1;
+}
+
 }  // namespace
 
 ScatterTable::ScatterTable(std::span<const Material> materials, double frequency, bool facets_mirror) {
+  std::vector<Scattering> scatterings;
   for (const Material& material : materials) {
     Scattering scattering = material.scattering(frequency);
     scattering.facets_mirror |= facets_mirror;
@@ -113,31 +124,34 @@ ScatterTable::ScatterTable(std::span<const Material> materials, double frequency
     lobe_.push_back(static_cast<float>(terms.lobe));
     steepness_.push_back(static_cast<float>(terms.steepness));
     roughness_.push_back(scattering.facets_mirror ? static_cast<float>(scattering.roughness) : 0.0F);
-    any_rough_ |= roughness_.back() > 0;
+    any_rough |= roughness_.back() > 0;
     facets_.push_back(static_cast<float>(precise::scatterer(0, 1, scattering.rms_slope).lobe));
-    scattering_.push_back(std::move(scattering));
+    surfaces_.push_back({scattering.lambert, scattering.reflection, scattering.rms_slope, scattering.roughness,
+                         scattering.facets_mirror, add(scattering.by_angle, angular_),
+                         add(scattering.passed, passes_)});
+    scatterings.push_back(std::move(scattering));
   }
-  nothing_ = static_cast<std::uint32_t>(scattering_.size());
+  nothing = static_cast<std::uint32_t>(scatterings.size());
   for (auto* values : {&mirrored_, &lambert_, &lobe_, &steepness_, &facets_}) {
     values->push_back(0);
   }
-  if (std::ranges::any_of(scattering_, [](const Scattering& scattering) {
+  if (std::ranges::any_of(scatterings, [](const Scattering& scattering) {
         return scattering.by_angle != nullptr || scattering.mirror_share(1) < 1;
       })) {
-    for (const Scattering& scattering : scattering_) {
+    for (const Scattering& scattering : scatterings) {
       append(AngleTable([&](double cosine) { return scattering.reflectance(cosine); }), by_angle_);
       append(scattering.by_angle ? scattering.by_angle->backscatter : AngleTable(), by_angle_);
       append(scattering.by_angle ? scattering.by_angle->diffuse : AngleTable(), by_angle_);
       append(
           AngleTable([&](double cosine) { return scattering.reflectance(cosine) * scattering.mirror_share(cosine); }),
           by_angle_);
-      any_on_top_ |= scattering.by_angle && std::ranges::any_of(scattering.by_angle->backscatter.values(),
-                                                                [](double value) { return value != 0; });
+      any_on_top |= scattering.by_angle && std::ranges::any_of(scattering.by_angle->backscatter.values(),
+                                                               [](double value) { return value != 0; });
     }
     by_angle_.resize(by_angle_.size() + kAngleStride, 0);
   }
-  if (std::ranges::any_of(scattering_, [](const Scattering& scattering) { return scattering.passed != nullptr; })) {
-    for (const Scattering& scattering : scattering_) {
+  if (std::ranges::any_of(scatterings, [](const Scattering& scattering) { return scattering.passed != nullptr; })) {
+    for (const Scattering& scattering : scatterings) {
       append(scattering.passed ? *scattering.passed : AngleTable(), passed_);
     }
     passed_.resize(passed_.size() + kAngleNodes, 0);
@@ -145,26 +159,26 @@ ScatterTable::ScatterTable(std::span<const Material> materials, double frequency
 }
 
 void ScatterTable::fill_passed(int rows, const SurfaceLabel* surface, const float* facing, float* passed) const {
-  look_up_rows(rows, passed_.data(), kAngleNodes, 0, nothing_, surface, facing, passed);
+  look_up_rows(rows, passed_.data(), kAngleNodes, 0, nothing, surface, facing, passed);
 }
 
 void ScatterTable::fill_mirrored(int rows, const SurfaceLabel* surface, const float* facing, float* mirrored) const {
   if (by_angle_.empty()) {
-    look_up_constants(rows, mirrored_.data(), nothing_, surface, mirrored);
+    look_up_constants(rows, mirrored_.data(), nothing, surface, mirrored);
   } else {
-    look_up_rows(rows, by_angle_.data(), kAngleStride, kMirrored, nothing_, surface, facing, mirrored);
+    look_up_rows(rows, by_angle_.data(), kAngleStride, kMirrored, nothing, surface, facing, mirrored);
   }
 }
 
 void ScatterTable::fill_powers(int rows, float neper_per_metre, const HitColumn& hits) const {
-  if (any_on_top_) {
-    look_up_rows(rows, by_angle_.data(), kAngleStride, kBackscatter, nothing_, hits.surface, hits.facing, hits.power);
+  if (any_on_top) {
+    look_up_rows(rows, by_angle_.data(), kAngleStride, kBackscatter, nothing, hits.surface, hits.facing, hits.power);
   }
   if (hits.curved) {
-    (any_on_top_ ? scatter_curved_on_top : scatter_curved)(rows, laws(), neper_per_metre, hits, hits.power);
+    (any_on_top ? scatter_curved_on_top : scatter_curved)(rows, laws(), neper_per_metre, hits, hits.power);
   } else {
-    (any_on_top_ ? scatter_on_top : scatter)(rows, laws(), neper_per_metre, hits.surface, hits.facing, hits.range,
-                                             hits.power);
+    (any_on_top ? scatter_on_top : scatter)(rows, laws(), neper_per_metre, hits.surface, hits.facing, hits.range,
+                                            hits.power);
   }
   if (hits.has_relief) {
     for (int row = 0; row < rows; ++row) {

@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "echo/grid/echo.h"
@@ -15,10 +17,18 @@ namespace insonify {
 
 struct HitColumn;
 
+/// The numbers of a ScatterTable.
+struct ScatterNumbers {
+  std::uint32_t nothing = 0;  ///< Number of materials: index of the zeros at the end of each table.
+  bool any_rough = false;     ///< Whether any mirror has a roughness.
+  bool any_on_top = false;    ///< Whether any AngularScattering::backscatter is not 0.
+};
+
 /// The Scatterer of each material in single precision, and where a material has them the tables of its
 /// AngularScattering.
-class ScatterTable {
+class ScatterTable : private ScatterNumbers {
  public:
+  ScatterTable() = default;
   /// @param frequency      [Hz]
   /// @param facets_mirror  Whether the facets of all materials are mirrors, see Scattering::facets_mirror.
   ScatterTable(std::span<const Material> materials, double frequency, bool facets_mirror = false);
@@ -27,8 +37,17 @@ class ScatterTable {
   /// faces away.
   void fill_powers(int rows, float neper_per_metre, const HitColumn& hits) const;
 
-  /// The parameters of a surface in double precision.
-  [[nodiscard]] const Scattering& scattering(SurfaceLabel surface) const { return scattering_[material_of(surface)]; }
+  /// The parameters of a surface in double precision, valid as long as this table.
+  [[nodiscard]] Scattering scattering(SurfaceLabel surface) const {
+    const Surface& own = surfaces_[material_of(surface)];
+    return {own.lambert,
+            own.reflection,
+            own.rms_slope,
+            own.roughness,
+            own.facets_mirror,
+            view(angular_, own.by_angle),
+            view(passes_, own.passed)};
+  }
 
   /// Share of the intensity that a surface reflects as a mirror.
   /// @param cosine  Of the angle of incidence, of either sign.
@@ -55,7 +74,7 @@ class ScatterTable {
   [[nodiscard]] float roughness(SurfaceLabel surface) const { return roughness_[material_of(surface)]; }
 
   /// Whether any surface has such a roughness.
-  [[nodiscard]] bool any_rough() const { return any_rough_; }
+  [[nodiscard]] bool has_rough() const { return any_rough; }
 
   /// The tables by material, for loops. Index `nothing` holds zeros, for samples without a hit.
   struct Laws {
@@ -75,7 +94,7 @@ class ScatterTable {
     }
   };
   [[nodiscard]] Laws laws() const {
-    return {nothing_,          lambert_.data(), lobe_.data(),
+    return {nothing,           lambert_.data(), lobe_.data(),
             steepness_.data(), facets_.data(),  by_angle_.empty() ? nullptr : by_angle_.data()};
   }
 
@@ -98,17 +117,49 @@ class ScatterTable {
     return here + (place - static_cast<float>(node)) * (by_angle[at + 1] - here);
   }
 
+  /// See PingPlan::visit_parts().
+  template <typename Self, typename Numbers, typename Table>
+  static void visit_parts(Self& self, const Numbers& numbers, const Table& table) {
+    numbers(static_cast<std::conditional_t<std::is_const_v<Self>, const ScatterNumbers&, ScatterNumbers&>>(self));
+    table("surfaces", self.surfaces_);
+    table("angular", self.angular_);
+    table("passes", self.passes_);
+    table("mirrored", self.mirrored_);
+    table("lambert", self.lambert_);
+    table("lobe", self.lobe_);
+    table("steepness", self.steepness_);
+    table("facets", self.facets_);
+    table("roughness", self.roughness_);
+    table("by_angle", self.by_angle_);
+    table("passed", self.passed_);
+  }
+
  private:
-  std::vector<Scattering> scattering_;
-  std::uint32_t nothing_ = 0;  // Number of materials.
+  // Scattering, with indices into tables; -1 for none.
+  struct Surface {
+    double lambert, reflection, rms_slope, roughness;
+    bool facets_mirror;
+    std::int32_t by_angle, passed;
+  };
+
+  // A pointer that does not own what it points to; null for index -1.
+  template <typename Value>
+  [[nodiscard]] static std::shared_ptr<const Value> view(const std::vector<Value>& values, std::int32_t index) {
+    return {std::shared_ptr<const void>(), index < 0 ? nullptr : &values[static_cast<std::size_t>(index)]};
+  }
+
+  // In double precision.
+  std::vector<Surface> surfaces_;  // [material]
+  std::vector<AngularScattering> angular_;
+  std::vector<AngleTable> passes_;
+
+  // In single precision.
   std::vector<float> mirrored_;
   std::vector<float> lambert_;
   std::vector<float> lobe_;
   std::vector<float> steepness_;
   std::vector<float> facets_;
   std::vector<float> roughness_;
-  bool any_rough_ = false;
-  bool any_on_top_ = false;      // Whether any AngularScattering::backscatter is not 0.
   std::vector<float> by_angle_;  // [material][kAngleStride]; empty where no law depends on the angle.
   std::vector<float> passed_;    // [material][kAngleNodes]; empty where all surfaces are opaque.
 };

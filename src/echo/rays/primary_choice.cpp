@@ -24,20 +24,17 @@ double tracing_costs(double triangles, double samples) {
 
 }  // namespace
 
-PrimaryEchoes primary_echoes(PrimaryEchoes asked, const SonarConfig& sonar, std::size_t triangle_count, bool can_draw,
-                             bool even_rows) {
+PrimaryEchoes primary_echoes(PrimaryEchoes asked, double azimuth_aperture, double samples, std::size_t triangle_count,
+                             bool can_draw, bool even_rows) {
   if (!can_draw || (asked == PrimaryEchoes::kAuto && !even_rows)) {
     return PrimaryEchoes::kRays;
   }
   if (asked != PrimaryEchoes::kAuto) {
     return asked;
   }
-  const Sampling& sampling = sonar.sampling;
-  const double samples = double{1} * sonar.beam_count * sampling.columns_per_beam.value_or(Sampling::kColumns) *
-                         sampling.rows.value_or(Sampling::kRows);
   const auto triangles = static_cast<double>(triangle_count);
-  return drawing_costs(triangles, sonar.azimuth_aperture) <= tracing_costs(triangles, samples) ? PrimaryEchoes::kRaster
-                                                                                               : PrimaryEchoes::kRays;
+  return drawing_costs(triangles, azimuth_aperture) <= tracing_costs(triangles, samples) ? PrimaryEchoes::kRaster
+                                                                                         : PrimaryEchoes::kRays;
 }
 
 }  // namespace insonify

@@ -116,7 +116,7 @@ void ReferenceColumn::compute_powers() {
 // How the echoes of the rows are spread over range bins: paper-model.md, "From echoes to bins".
 void ReferenceColumn::deposit_primary_echoes(SecondarySampling sampling, EchoGrid& grid) {
   SurfaceSums sums;
-  sums.prepare(plan_.sonar.bin_count);
+  sums.prepare(plan_.bin_count);
   measure_column(
       plan_, column_,
       {frame_.along.cast<float>(), frame_.across.cast<float>(), frame_.up.cast<float>(), frame_.beside.cast<float>()},

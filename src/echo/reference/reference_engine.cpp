@@ -127,7 +127,7 @@ RayCounts ReferenceEngine::insonify(const PingView& view, EchoGrid& grid) {
   }
   const PingPlan& plan = *view.plan;
   const Pose& world_from_sonar = view.world_from_sonar;
-  const int beams = plan.sonar.beam_count, per_beam = plan.lattice.columns_per_beam;
+  const int beams = plan.beam_count, per_beam = plan.lattice.columns_per_beam;
   const SecondarySampling sampling = choose_sampling(plan, world_from_sonar);
   std::vector<RayCounts> counts(beams);
   std::vector<std::vector<Echo>> arrivals(beams);

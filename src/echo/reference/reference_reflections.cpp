@@ -34,7 +34,7 @@ MirrorChange ReferenceColumn::change_along(int row) const {
 // The same for the neighbouring column.
 MirrorChange ReferenceColumn::change_across(int row) const {
   const int other = column_ ^ 1;
-  if (other < plan_.lattice.columns) {
+  if (other < plan_.lattice.columns && plan_.lattice.touches_next(std::min(column_, other))) {
     const Ray ray = ray_of(other, row);
     const RayHit hit = scene_.nearest(ray);
     if (hit.met() && hit.surface() == hits_.surface[row]) {
@@ -189,7 +189,7 @@ void ReferenceColumn::deposit_echoes_by_water(const Reflection& path, EchoGrid& 
                       triple(-back->out), path.there, static_cast<float>(back->length)})
           .once;
   const ReciprocalEchoes echoes =
-      reciprocal_echoes(plan_, column_, echo, static_cast<float>(power), plan_.arrival_from(direction));
+      reciprocal_echoes(plan_, column_, path.row, echo, static_cast<float>(power), plan_.arrival_from(direction));
   deposit(plan_, echoes.launched, grid);
   arrivals.push_back(echoes.arriving);
 }
@@ -216,7 +216,7 @@ void ReferenceColumn::deposit_mirror_echoes(const Reflection& path, EchoGrid& gr
     return;
   }
   echo.half_length = path.footprint.once;
-  const ReciprocalEchoes echoes = reciprocal_echoes(plan_, column_, echo, static_cast<float>(intensity.once),
+  const ReciprocalEchoes echoes = reciprocal_echoes(plan_, column_, path.row, echo, static_cast<float>(intensity.once),
                                                     plan_.arrival_from(arrival_direction));
   deposit(plan_, echoes.launched, grid);
   arrivals.push_back(echoes.arriving);

@@ -29,18 +29,18 @@ float phase_of(const PingPlan& plan, std::uint32_t source, std::int64_t pulse, i
 
 // Intensity on arrival, after a one-way transmission loss of 20 log10 r + alpha r.
 double intensity_of(const PingPlan& plan, const Interferer& other, const LinesOfSight::Sight& sight) {
-  return std::pow(10.0, (other.source_level_db - plan.sonar.source_level_db) / 10) / (sight.range * sight.range) *
-         std::exp(-2 * double{plan.neper_per_metre} * sight.range) * double{sight.arrival.pattern} * sight.passed;
+  return std::pow(10.0, (other.source_level_db - plan.source_level_db) / 10) / (sight.range * sight.range) *
+         std::exp(-2 * double{plan.neper_per_metre} * sight.range) * double{sight.arrival.received} * sight.passed;
 }
 
 // The bin that receives at a time after transmission [s]; -1 before the range window, bin_count after it.
 int bin_after(const PingPlan& plan, double time, double sound_speed) {
   const double position = (0.5 * sound_speed * time - double{plan.first_bin_at}) * double{plan.bins_per_metre};
-  return static_cast<int>(std::floor(std::clamp(position, -1.0, static_cast<double>(plan.sonar.bin_count))));
+  return static_cast<int>(std::floor(std::clamp(position, -1.0, static_cast<double>(plan.bin_count))));
 }
 
 double sound_speed_of(const PingPlan& plan) {
-  return 2 * plan.sonar.frequency / plan.turns_per_metre;
+  return 2 * plan.frequency / plan.turns_per_metre;
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ double sound_speed_of(const PingPlan& plan) {
 void add_pulse(const PingPlan& plan, const ArrivingPulse& pulse, EchoList& echoes) {
   const double sound_speed = sound_speed_of(plan);
   const int first = std::max(0, bin_after(plan, pulse.begins, sound_speed));
-  const int last = std::min(bin_after(plan, pulse.begins + pulse.duration, sound_speed), plan.sonar.bin_count - 1);
+  const int last = std::min(bin_after(plan, pulse.begins + pulse.duration, sound_speed), plan.bin_count - 1);
   for (int bin = first; bin <= last; ++bin) {
     echoes.discrete.push_back({.beam = pulse.beam,
                                .bin = bin,

@@ -10,8 +10,8 @@ namespace insonify {
 
 std::optional<int> beam_hearing(const PingPlan& plan, const Vec3f& direction, bool has_array) {
   const PingPlan::Arrival arrival = plan.arrival_from(direction);
-  const double off = double{arrival.elevation} - plan.sonar.elevation_center;
-  if (!plan.elevation_pattern && std::abs(off) > 0.5 * plan.sonar.elevation_aperture) {
+  const double off = double{arrival.elevation} - plan.elevation_center;
+  if (plan.received_across.empty() && std::abs(off) > 0.5 * plan.elevation_aperture) {
     return {};
   }
   if (const int beam = plan.beam_of(arrival.bearing); beam >= 0) {
@@ -20,7 +20,7 @@ std::optional<int> beam_hearing(const PingPlan& plan, const Vec3f& direction, bo
   if (!has_array || !(direction.x() > 0)) {
     return {};
   }
-  return arrival.bearing > 0 ? 0 : plan.sonar.beam_count - 1;
+  return plan.nearest_beam(arrival.bearing);
 }
 
 LinesOfSight::LinesOfSight(std::vector<Vec3> places) : places_(std::move(places)), sights_(places_.size()) {}

@@ -109,7 +109,7 @@ std::optional<PointGhosts::Way> PointGhosts::way_of(const PingView& view, const 
     way.intensity = coherent_reflectance(plan, label, cosine) * small * small;
   }
   way.intensity *= hits.passed(leg.ray) * (leg.mirror == kStraight ? 1 : hits.passed(leg.ray + 1));
-  way.intensity *= double{way.arrival.pattern} / (way.length * way.length) *
+  way.intensity *= double{way.arrival.received} / (way.length * way.length) *
                    std::exp(-2 * double{plan.neper_per_metre} * way.length);
   return way;
 }

@@ -232,7 +232,7 @@ Echo ThinEchoes::echo_of(const PingPlan& plan, const Step& step) const {
   const float spread = fast_exp(-4 * plan.neper_per_metre * range) / (square * square);
   const float weight = kWeight * facing / (square * static_cast<float>(step.count));
   const float intensity =
-      strength * spread * arrival.pattern * arrival.pattern * arrival.transmitted / static_cast<float>(step.count);
+      strength * spread * arrival.sent * arrival.received * arrival.transmitted / static_cast<float>(step.count);
   return {.azimuth = arrival.bearing,
           .elevation = arrival.elevation,
           .path_length = 2 * range,

@@ -69,14 +69,14 @@ void RandomWalks::ask(const PingView& view, Workers&, RayList& rays) {
   legs_.clear();
   echoes_.clear();
   const Lattice& lattice = plan.lattice;
-  const int columns = settings_.beam_count * lattice.columns_per_beam;
-  const int first_column = settings_.first_beam * lattice.columns_per_beam;
+  const int per_beam = lattice.columns_per_beam, columns = static_cast<int>(settings_.beams.size()) * per_beam;
   const auto count = static_cast<double>(settings_.count);
   const double samples_per_walk = static_cast<double>(columns) * lattice.rows / count;
   for (std::uint32_t i = 0; i < walks_.size(); ++i) {
     const Draws draws(settings_.seed, number_, i, 0);
     const double across = (i + double{draws.a}) / count;
-    const int column = first_column + std::min(static_cast<int>(across * columns), columns - 1);
+    const int own = std::min(static_cast<int>(across * columns), columns - 1);
+    const int column = settings_.beams[static_cast<std::size_t>(own / per_beam)] * per_beam + own % per_beam;
     const int row = std::min(static_cast<int>(double{draws.b} * lattice.rows), lattice.rows - 1);
     const Vec3 direction = world_from_sonar.orientation * lattice_direction(lattice, column, row);
     walks_[i] = {.point = world_from_sonar.position,
@@ -144,7 +144,7 @@ void RandomWalks::connect(const PingPlan& plan, const Pose& world_from_sonar, co
                      .elevation = arrival.elevation,
                      .path_length = static_cast<float>(length),
                      .half_length = kHalfSpread * static_cast<float>(0.5 * length),
-                     .power = static_cast<float>(double{sent_back * arrival.pattern} * lost),
+                     .power = static_cast<float>(double{sent_back * arrival.received} * lost),
                      .weight = walk.weight,
                      .order = std::min(order, kPathOrders),
                      .surface = label_of(hit)});

@@ -37,9 +37,8 @@ class RandomWalks final : public EchoSource {
   };
 
   struct Settings {
-    int count = 0;       ///< Walks per ping, > 0.
-    int first_beam = 0;  ///< First of the plan's beams that the sonar transmits into.
-    int beam_count = 0;  ///< Number of these; less than the plan's for a scanning head with an array pattern.
+    int count = 0;                ///< Walks per ping, > 0.
+    std::vector<int> beams = {};  ///< The plan's beams that walks start in: those of the sonar, without guard cells.
     std::uint64_t seed = 1;
     Elsewhere elsewhere = {};
   };

@@ -9,6 +9,7 @@
 
 #include "insonify/export.h"
 #include "insonify/interrupted.h"
+#include "insonify/ping_sink.h"
 #include "io/file/recorded_tables.h"
 
 namespace insonify {
@@ -21,7 +22,7 @@ void export_mcap(RecordedSonars recordings, const std::filesystem::path& file, c
 void export_bag(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options);
 void export_npz(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options);
 void export_zarr(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options);
-void export_video(const RecordedTables& recording, const std::filesystem::path& file, const ExportOptions& options);
+void export_video(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options);
 
 /// @throws Interrupted when the caller has asked to stop.
 inline void check_stop(const ExportOptions& options) {
@@ -29,6 +30,9 @@ inline void check_stop(const ExportOptions& options) {
     throw Interrupted();
   }
 }
+
+/// Gives all pings to a sink, in the order of their times, and closes it.
+void write_pings(RecordedSonars recordings, PingSink& sink, const ExportOptions& options);
 
 /// Prefix of names in the export of several recordings: "fls/"; "" for a single one.
 [[nodiscard]] std::string prefix_of(RecordedSonars recordings, std::size_t index);

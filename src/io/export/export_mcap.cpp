@@ -69,6 +69,14 @@ MessageOptions with_start(MessageOptions options, RecordedSonars recordings) {
   return options;
 }
 
+void write_pings(RecordedSonars recordings, PingSink& sink, const ExportOptions& options) {
+  for (RecordedSequence pings(recordings); !pings.done(); pings.advance()) {
+    check_stop(options);
+    sink.add(pings.sonar(), pings.ping());
+  }
+  sink.close();
+}
+
 void export_mcap(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options) {
   McapRecording out(file, message_sources(recordings),
                     {.messages = with_start(options.messages, recordings),
@@ -76,11 +84,7 @@ void export_mcap(RecordedSonars recordings, const std::filesystem::path& file, c
                      .log = options.log,
                      .replace = options.replace,
                      .only_whole = true});
-  for (RecordedSequence pings(recordings); !pings.done(); pings.advance()) {
-    check_stop(options);
-    out.add(pings.sonar(), pings.ping());
-  }
-  out.close();
+  write_pings(recordings, out, options);
 }
 
 }  // namespace insonify

@@ -16,11 +16,13 @@
 namespace insonify {
 namespace {
 
-constexpr std::string_view kEndings[] = {".mcap", ".bag", ".npz", ".zarr", ".mp4", ".gif"};
-
-bool is_video(const std::string& ending) {
-  return ending == ".mp4" || ending == ".gif";
-}
+// The formats, in the order in which messages list them.
+struct ExportFormat {
+  std::string_view ending;
+  void (*write)(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options);
+};
+constexpr ExportFormat kFormats[] = {{".mcap", export_mcap}, {".bag", export_bag},   {".npz", export_npz},
+                                     {".zarr", export_zarr}, {".mp4", export_video}, {".gif", export_video}};
 
 // Replacing something that is not an export would be a mistake, not what --force means.
 void check_place(const std::filesystem::path& file, const std::string& ending, bool replace) {
@@ -87,7 +89,7 @@ void check_run(RecordedSonars recordings) {
 // The checked inputs of an export: its sonars, and its file without a trailing slash.
 struct Checked {
   std::filesystem::path file;
-  std::string ending;
+  const ExportFormat* format = nullptr;
   std::vector<std::unique_ptr<RecordedTables>> sonars;
 };
 
@@ -97,15 +99,17 @@ Checked checked(std::span<const RecordingPart> recordings, const std::filesystem
   // A folder may be named with a trailing slash.
   const bool slash = !place.has_filename() && ending_of(place.parent_path()) == ".zarr";
   found.file = slash ? place.parent_path() : place;
-  found.ending = ending_of(found.file);
-  if (std::ranges::find(kEndings, found.ending) == std::end(kEndings)) {
+  const std::string ending = ending_of(found.file);
+  found.format = std::ranges::find(kFormats, ending, &ExportFormat::ending);
+  if (found.format == std::end(kFormats)) {
+    const auto endings = export_endings();
     throw Error(fmt::format("{}: its ending must be {} or {}, which says the format", found.file.string(),
-                            fmt::join(std::begin(kEndings), std::end(kEndings) - 1, ", "), *std::rbegin(kEndings)));
+                            fmt::join(endings.first(endings.size() - 1), ", "), endings.back()));
   }
   if (recordings.empty()) {
     throw Error(fmt::format("{}: there is not a recording to export", found.file.string()));
   }
-  check_place(found.file, found.ending, options.replace);
+  check_place(found.file, ending, options.replace);
   for (const RecordingPart& recording : recordings) {
     for (auto& sonar : open_all_tables(recording.path, recording.sonar)) {
       if (sonar->ping_count() == 0) {
@@ -114,7 +118,7 @@ Checked checked(std::span<const RecordingPart> recordings, const std::filesystem
       found.sonars.push_back(std::move(sonar));
     }
   }
-  if (is_video(found.ending) && found.sonars.size() > 1) {
+  if (found.format->write == export_video && found.sonars.size() > 1) {
     std::vector<std::string> names;
     for (const auto& sonar : found.sonars) {
       names.push_back(name_of(*sonar));
@@ -159,7 +163,12 @@ UnicodeTable unicode_table(const std::vector<std::string>& texts) {
 }
 
 std::span<const std::string_view> export_endings() {
-  return kEndings;
+  static const std::vector<std::string_view> endings = [] {
+    std::vector<std::string_view> all;
+    std::ranges::transform(kFormats, std::back_inserter(all), &ExportFormat::ending);
+    return all;
+  }();
+  return endings;
 }
 
 void check_export(std::span<const RecordingPart> recordings, const std::filesystem::path& file,
@@ -170,17 +179,7 @@ void check_export(std::span<const RecordingPart> recordings, const std::filesyst
 void export_recordings(std::span<const RecordingPart> recordings, const std::filesystem::path& file,
                        const ExportOptions& options) {
   const Checked found = checked(recordings, file, options);
-  if (found.ending == ".mcap") {
-    export_mcap(found.sonars, found.file, options);
-  } else if (found.ending == ".bag") {
-    export_bag(found.sonars, found.file, options);
-  } else if (found.ending == ".npz") {
-    export_npz(found.sonars, found.file, options);
-  } else if (found.ending == ".zarr") {
-    export_zarr(found.sonars, found.file, options);
-  } else {
-    export_video(*found.sonars.front(), found.file, options);
-  }
+  found.format->write(found.sonars, found.file, options);
 }
 
 void export_recordings(std::span<const std::filesystem::path> recordings, const std::filesystem::path& file,

@@ -38,7 +38,7 @@ double usual_rate(const RecordedPings& pings, std::uint64_t count) {
 class Drawing {
  public:
   Drawing(const MessageSource& source, const VideoOptions& video)
-      : sonar_(source.sonar), display_(usual_display(source.model, source.receiver)) {
+      : sonar_(source.sonar), display_(usual_display(source.model, source.receiver)), view_(sonar_) {
     display_.colour_map = video.colour_map;
     display_.height = video.height;
     display_.annotations = video.annotations;
@@ -56,12 +56,9 @@ class Drawing {
     if (!fitted_) {
       return;
     }
-    if (!scans()) {
-      display_.full_scale = fitting_full_scale(intensities_to_fit(shown(pings.ping(0)), sonar_));
-      return;
-    }
-    ScanView all(sonar_);
-    for (std::uint64_t i = 0; i < count; ++i) {
+    ProductView all(sonar_);
+    const std::uint64_t fitted = sonar_.product() == Product::kLine ? count : 1;  // The first ping of a fan.
+    for (std::uint64_t i = 0; i < fitted; ++i) {
       check_stop(options);
       all.add(shown(pings.ping(i)));
     }
@@ -69,29 +66,23 @@ class Drawing {
   }
 
   Picture draw(const Ping& ping) {
-    if (!scans()) {
-      return draw_fan(shown(ping), sonar_, display_);
-    }
-    if (!view_) {
-      view_ = std::make_unique<ScanView>(sonar_);
-    }
-    view_->add(shown(ping));
-    return view_->draw(display_);
+    view_.add(shown(ping));
+    return view_.draw(display_);
   }
 
  private:
-  [[nodiscard]] bool scans() const { return sonar_.type == SonarType::kMechanicallyScanned; }
   [[nodiscard]] Ping shown(const Ping& ping) const { return raised_by_range(ping, sonar_, display_.raised_per_decade); }
 
   SonarConfig sonar_;
   Display display_;
   bool fitted_ = false;
-  std::unique_ptr<ScanView> view_;
+  ProductView view_;
 };
 
 }  // namespace
 
-void export_video(const RecordedTables& recording, const std::filesystem::path& file, const ExportOptions& options) {
+void export_video(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options) {
+  const RecordedTables& recording = *recordings.front();
   check(options.video);
   const RecordedPings pings = pings_of(recording);
   const std::uint64_t count = recording.ping_count();

@@ -259,7 +259,7 @@ Ping McapPings::ping(std::uint64_t number) const {
     fail(number, fmt::format("it has {}, must have {} x {}", counted(values.data.size() / wide, "value"),
                              sonar.bin_count, sonar.beam_count));
   }
-  if (sonar.type == SonarType::kMechanicallyScanned) {
+  if (sonar.scans()) {
     // A run's head angle grows beyond a turn; the message has its direction.
     constexpr double kTurn = 2 * std::numbers::pi;
     const double angle = values.azimuth - sonar.beam_azimuth(0);

@@ -182,8 +182,9 @@ void McapTables::add_tables() {
                        {{"units", units}, {"description", description}}});
   };
   add("azimuth", "<f8", {beams}, {}, "rad", "Centre of each beam, positive to port.");
-  add("azimuth_edges", "<f8", {beams + 1}, {}, "rad", "Beam b covers edges b to b + 1.");
-  if (config.type == SonarType::kMechanicallyScanned) {
+  const BearingGrid bearings = config.bearings();
+  add("azimuth_edges", "<f8", {bearings.edges().size()}, {}, "rad", bearings.edges_text());
+  if (config.scans()) {
     add("head_angle", "<f8", {}, {"ping"}, "rad", "Turn of the head in its housing, positive to port.");
   }
   add("intensity", "<f4", {bins, beams}, {"ping", "bin", "beam"}, "1",
@@ -213,7 +214,7 @@ std::vector<std::byte> McapTables::row(const RecordedTable& table, std::uint64_t
     return bytes_of(std::vector{pings_.ping(ping).head_angle});
   }
   if (table.name == "azimuth_edges") {
-    return bytes_of(config.beam_edges());
+    return bytes_of(config.bearings().edges());
   }
   std::vector<double> centres;
   for (std::uint64_t i = 0; i < table.row.front(); ++i) {

@@ -25,7 +25,7 @@ void MessageOptions::validate() const {
 }
 
 std::optional<double> MessageOptions::fan_rate_of(const SonarConfig& sonar) const {
-  const bool scans = sonar.type == SonarType::kMechanicallyScanned;
+  const bool scans = sonar.product() == Product::kLine;
   return fan_rate || !scans ? fan_rate : std::optional(kScanningFanRate);
 }
 

@@ -41,11 +41,10 @@ SonarImageFacts image_facts(const SonarConfig& sonar, double sound_speed) {
   SonarImageFacts facts;
   facts.frequency = static_cast<float>(sonar.frequency);
   facts.sound_speed = static_cast<float>(sound_speed);
-  const std::vector<double> edges = sonar.beam_edges();
-  for (std::size_t beam = 0; beam + 1 < edges.size(); ++beam) {
-    facts.transmit_widths.push_back(static_cast<float>(sonar.elevation_aperture));
-    facts.receive_widths.push_back(
-        static_cast<float>(sonar.azimuth_resolution.value_or(edges[beam] - edges[beam + 1])));
+  const BearingGrid beams = sonar.bearings();
+  for (int beam = 0; beam < beams.count(); ++beam) {
+    facts.transmit_widths.push_back(static_cast<float>(sonar.sent_elevation_aperture()));
+    facts.receive_widths.push_back(static_cast<float>(sonar.azimuth_resolution.value_or(beams.width(beam))));
   }
   for (int bin = 0; bin < sonar.bin_count; ++bin) {
     facts.ranges.push_back(static_cast<float>(sonar.bin_range(bin)));
@@ -93,7 +92,6 @@ struct SonarMessages::State {
   std::optional<double> fan_interval = {};  // Interval of time, counted from time 0, of the last fan picture in a file.
   bool fan_is_due = true;                   // Whether the current ping has one.
 
-  [[nodiscard]] bool scans() const { return source.sonar.type == SonarType::kMechanicallyScanned; }
   [[nodiscard]] MessageHeader header(const std::string& frame) const {
     return {time_ns, frame, static_cast<std::uint32_t>(ping.number)};
   }
@@ -141,12 +139,12 @@ std::vector<std::byte> SonarMessages::State::raw_image() const {
 }
 
 Picture SonarMessages::State::fan() const {
-  if (!scans()) {
-    return draw_fan(raised, source.sonar, display);
-  }
-  ScanView view(source.sonar);
+  ProductView view(source.sonar);
   for (const Ping& each : scanned) {
     view.add(each);
+  }
+  if (scanned.empty()) {
+    view.add(raised);
   }
   return view.draw(display);
 }
@@ -228,7 +226,7 @@ void SonarMessages::take(const Ping& ping, double time) {
     }
   }
   state_->values += cells;
-  if (state_->scans()) {
+  if (sonar.product() == Product::kLine) {
     state_->scanned.push_back(state_->raised);
     if (state_->scanned.size() > std::min(sonar.pings_per_turn(), kMostScanned)) {
       state_->scanned.pop_front();

@@ -45,7 +45,7 @@ std::vector<GrowingDataset> growing_datasets(const SonarConfig& sonar, const std
   }
   datasets.push_back({"time", H5T_IEEE_F64LE, {}, false});
   datasets.push_back({"world_from_sonar", H5T_IEEE_F64LE, {StoredPose{}.size()}, false});
-  if (sonar.type == SonarType::kMechanicallyScanned) {
+  if (sonar.scans()) {
     datasets.push_back({"head_angle", H5T_IEEE_F64LE, {}, false});
   }
   return datasets;
@@ -65,7 +65,7 @@ void describe_datasets(const H5Writer& writer, const SonarConfig& sonar, const s
   describe("time", "ping", {"s", "Time of transmission."});
   describe("world_from_sonar", "ping pose",
            {"m m m 1 1 1 1", "Pose of the housing: x y z, then the quaternion qw qx qy qz; sonar to world."});
-  if (sonar.type == SonarType::kMechanicallyScanned) {
+  if (sonar.scans()) {
     describe("head_angle", "ping", {"rad", "Turn of the head in its housing, positive to port."});
   }
 }
@@ -80,7 +80,8 @@ void put_axes(const H5Writer& writer, const SonarConfig& sonar) {
     ranges[static_cast<std::size_t>(bin)] = sonar.bin_range(bin);
   }
   writer.put("azimuth", azimuths, {"rad", "Centre of each beam, positive to port."});
-  writer.put("azimuth_edges", sonar.beam_edges(), {"rad", "Beam b covers edges b to b + 1."});
+  const BearingGrid beams = sonar.bearings();
+  writer.put("azimuth_edges", beams.edges(), {"rad", beams.edges_text()});
   writer.put("range", ranges, {"m", "Centre of each bin."});
 }
 
@@ -145,8 +146,8 @@ Recording::Recording(const std::filesystem::path& path, const Scenario& scenario
   };
   GrowingFile file(path, growing_datasets(sonar, layers, options.compress), describe,
                    {.threads = options.threads, .replace = options.replace});
-  state_ = std::make_unique<State>(State{std::move(file), std::move(layers), sonar.bin_count, sonar.beam_count,
-                                         sonar.type == SonarType::kMechanicallyScanned});
+  state_ = std::make_unique<State>(
+      State{std::move(file), std::move(layers), sonar.bin_count, sonar.beam_count, sonar.scans()});
 }
 
 Recording::~Recording() = default;

@@ -67,9 +67,9 @@ constexpr std::array<Condition, 16> kOfReceiver = {
       "a pattern is taylor or dolph_chebyshev"}}};
 // A lens and a head that turns do not steer by delays, and a line array does not reach beyond 90 degrees.
 bool steers_by_delays(const Received& with) {
-  return with.sonar.type == SonarType::kForwardLooking && with.sonar.azimuth_aperture <= std::numbers::pi;
+  return !with.sonar.scans() && with.sonar.azimuth_aperture <= std::numbers::pi;
 }
-constexpr std::array<Condition, 16> kOfSonar = {
+constexpr std::array<Condition, 17> kOfSonar = {
     {{"bits", [](const Received& r) { return r.receiver.counts; }, "receiver.counts is true"},
      {"mapping", [](const Received& r) { return r.receiver.counts; }, "receiver.counts is true"},
      {"mapping_range_db",
@@ -80,6 +80,7 @@ constexpr std::array<Condition, 16> kOfSonar = {
      {"crosstalk_db", [](const Received& r) { return r.sonar.beam_count > 1; }, "there are several beams"},
      {"elevation_pattern", [](const Received& r) { return r.receiver.elevation_pattern == BeamPattern::kInstrument; },
       "receiver.elevation_pattern is instrument"},
+     {"two_way_array", has_array, "receiver.azimuth_pattern is that of an array"},
      {"element_width_deg", [](const Received& r) { return r.receiver.azimuth_pattern != BeamPattern::kTopHat; },
       "receiver.azimuth_pattern is that of an array"},
      {"focus_range", [](const Received& r) { return r.receiver.azimuth_pattern != BeamPattern::kTopHat; },

@@ -75,10 +75,10 @@ std::vector<Preset::Excess> Preset::exceeded_by(const SonarConfig& given) const 
       "ping_period",
       fmt::format(" = {:.4g} s, and a {} makes at most {:.4g} pings a second", given.ping_period.value_or(0), title,
                   instrument.ping_rate_limit.value_or(0)));
-  const bool head = given.type == SonarType::kMechanicallyScanned && !instrument.steps.empty();
+  const bool head = given.scans() && !instrument.steps.empty();
   const double least_step = head ? *std::ranges::min_element(instrument.steps) : 0;
-  add(head && std::abs(given.step) < least_step * (1 - kSlack), "step_deg",
-      fmt::format(" = {:.4g}, and the head of a {} makes steps of at least {:.4g} deg", degrees(given.step), title,
+  add(head && std::abs(given.head.step) < least_step * (1 - kSlack), "step_deg",
+      fmt::format(" = {:.4g}, and the head of a {} makes steps of at least {:.4g} deg", degrees(given.head.step), title,
                   degrees(least_step)));
   return excesses;
 }

@@ -61,15 +61,14 @@ void fit_to_beam_azimuths(const YamlValue& value, const std::string& object, Son
     throw Error(object, "azimuth_aperture_deg", " follows from beam_azimuths_deg; leave it out").at(given->place);
   }
   if (static_cast<int>(sonar.beam_azimuths.size()) == sonar.beam_count) {
-    const std::vector<double> edges = sonar.beam_edges();
-    // A table out of order is refused later, by validate().
-    sonar.azimuth_aperture = edges.front() > edges.back() ? edges.front() - edges.back() : sonar.azimuth_aperture;
+    const double extent = sonar.bearings().extent();
+    sonar.azimuth_aperture = extent > 0 ? extent : sonar.azimuth_aperture;  // validate() refuses others later.
   }
 }
 
 // Keys of the scanning head have no effect on other sonars.
 void refuse_head_keys(const YamlValue& value, const std::string& object, const SonarConfig& sonar) {
-  if (sonar.type == SonarType::kMechanicallyScanned) {
+  if (sonar.scans()) {
     return;
   }
   for (const char* key : {"step_deg", "sector_center_deg", "sector_width_deg", "mounting"}) {

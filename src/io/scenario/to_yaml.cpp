@@ -105,8 +105,7 @@ bool same(const YamlValue& a, const YamlValue& b) {
 bool is_refused(const SonarConfig& sonar, const Field& field) {
   const std::string_view name = field.name;
   const bool head = name == "step" || name == "sector_center" || name == "sector_width" || name == "mounting";
-  return (head && sonar.type != SonarType::kMechanicallyScanned) ||
-         (name == "azimuth_aperture" && sonar.beam_azimuths.size() > 1);
+  return (head && !sonar.scans()) || (name == "azimuth_aperture" && sonar.beam_azimuths.size() > 1);
 }
 template <typename Config>
 bool is_refused(const Config& /*config*/, const Field& /*field*/) {

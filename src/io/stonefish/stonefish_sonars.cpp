@@ -84,15 +84,15 @@ SonarConfig scanning(const StonefishElement& sensor) {
   if (!(step > 0) || step > 180) {
     throw Error(fmt::format("{}: <specs> step = {} deg must be above 0 and at most 180 deg", sensor.what(), step));
   }
-  sonar.step = -2 * std::numbers::pi / std::ceil(360 / step);
+  sonar.head.step = -2 * std::numbers::pi / std::ceil(360 / step);
   const double low = stonefish_number_or(sensor, "settings", "rotation_min", -180);
   const double high = stonefish_number_or(sensor, "settings", "rotation_max", 180);
   if (!(low < high) || low < -180 || high > 180) {
     throw Error(fmt::format("{}: <settings> rotation_min = {} and rotation_max = {} deg must rise within -180 to 180",
                             sensor.what(), low, high));
   }
-  sonar.sector_center = radians_from_degrees(-(low + high) / 2);
-  sonar.sector_width = radians_from_degrees(high - low);
+  sonar.head.sector_center = radians_from_degrees(-(low + high) / 2);
+  sonar.head.sector_width = radians_from_degrees(high - low);
   return sonar;
 }
 

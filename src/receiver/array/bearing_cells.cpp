@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "insonify/array_pattern.h"
 #include "insonify/error.h"
@@ -14,17 +15,17 @@
 namespace insonify {
 namespace {
 
-constexpr int kPerScannedBeam = 8;
+constexpr int kPerTwoWayBeam = 8;
 constexpr int kMostCells = 32768;
-constexpr int kNeighbourBeams = 2;                     // Least beam widths covered on either side of a head's beam.
+constexpr double kGuardOfBeam = 0.25;                  // Least width of a guard cell in a gap [beam widths].
+constexpr int kNeighbourBeams = 2;                     // Least beam widths covered on either side of a two-way beam.
 constexpr double kWidest = radians_from_degrees(178);  // Bearings are sines: all must be less than 90 deg off the axis.
 
 // The widest slice of azimuth of a beam, as a difference of sines.
-double widest_slice(const SonarConfig& fan) {
-  const std::vector<double> edges = fan.beam_edges();
+double widest_slice(const BearingGrid& beams) {
   double slice = 0;
-  for (int beam = 0; beam < fan.beam_count; ++beam) {
-    slice = std::max(slice, std::abs(std::sin(edges[beam]) - std::sin(edges[beam + 1])));
+  for (int beam = 0; beam < beams.count(); ++beam) {
+    slice = std::max(slice, std::abs(std::sin(beams.port[beam]) - std::sin(beams.starboard[beam])));
   }
   return slice;
 }
@@ -65,12 +66,12 @@ double guard_reach(const SonarConfig& sonar, const ReceiverConfig& receiver) {
   return tail_begins(pattern, BearingCells::kGuardLoss) / pattern.length(1, beam_width(sonar));
 }
 
-// Azimuth beyond which a head's two-way pattern stays below the floor [rad].
-double head_reach(const SonarConfig& head, const ReceiverConfig& receiver) {
+// Azimuth beyond which a two-way pattern stays below the floor [rad].
+double two_way_reach(const SonarConfig& sonar, const ReceiverConfig& receiver) {
   constexpr double kStep = 1.0 / 64, kRounding = 1.001;  // Dolph's lobes have exactly their level.
-  const ArrayPattern pattern = perfect_array(head, receiver);
-  const double length = pattern.length(1, beam_width(head));
-  const double floor = kRounding * std::pow(10, BearingCells::kHeadFloorDb / 10);
+  const ArrayPattern pattern = perfect_array(sonar, receiver);
+  const double length = pattern.length(1, beam_width(sonar));
+  const double floor = kRounding * std::pow(10, BearingCells::kTwoWayFloorDb / 10);
   double x = length;  // 90 degrees off.
   while (x > kStep && pattern.intensity(x) < floor && pattern.intensity(x - 0.5 * kStep) < floor) {
     x -= kStep;
@@ -90,59 +91,69 @@ int guard_cells(double beam, double edge, double width, double reach) {
 
 }  // namespace
 
-BearingCells::BearingCells(const SonarConfig& fan, const ReceiverConfig& receiver) : sonar(fan) {
+BearingCells::BearingCells(const SonarConfig& fan, const ReceiverConfig& receiver) : grid(fan.bearings()) {
+  columns = fan.sampling.columns_per_beam.value_or(Sampling::kColumns);
   if (receiver.azimuth_pattern == BeamPattern::kTopHat) {
+    grid.shape = receiver.beam_shape;
+    for (int beam = 0; beam < fan.beam_count; ++beam) {
+      firsts.push_back(beam);
+    }
     return;
   }
-  const bool scanning = fan.type == SonarType::kMechanicallyScanned;
-  const double slice = widest_slice(fan);
+  const BearingGrid beams = std::move(grid);
+  const bool two_way = fan.is_two_way();
+  const double slice = widest_slice(beams);
   const bool dense = slice <= kWidestSingle * std::sin(beam_width(fan));
-  per_beam = cells_per_beam(fan, slice, scanning ? kPerScannedBeam : dense ? 1 : 2);
-  const int columns = fan.sampling.columns_per_beam.value_or(Sampling::kColumns);
-  sonar.sampling.columns_per_beam = std::max(1, (columns + per_beam - 1) / per_beam);
-  if (scanning) {
-    set_head(fan, head_reach(fan, receiver));
+  per_beam = cells_per_beam(fan, slice, two_way ? kPerTwoWayBeam : dense ? 1 : 2);
+  columns = std::max(1, (columns + per_beam - 1) / per_beam);
+  if (two_way) {
+    set_two_way(fan, two_way_reach(fan, receiver));
+  } else if (beams.has_gaps()) {
+    set_gapped_fan(beams, guard_reach(fan, receiver), kGuardOfBeam * beam_width(fan));
   } else {
     set_fan(fan, guard_reach(fan, receiver));
   }
+  grid.shape = receiver.beam_shape;
+}
+
+int BearingCells::beam_of(int cell) const {
+  const auto after = std::ranges::upper_bound(firsts, cell);
+  const bool own = after != firsts.begin() && cell < *(after - 1) + per_beam;
+  return own ? static_cast<int>(after - firsts.begin()) - 1 : -1;
 }
 
 // Cuts the beam into cells, with as narrow neighbours, and adds wide cells up to the azimuth `end`.
-void BearingCells::set_head(const SonarConfig& head, double end) {
-  const double beam = head.azimuth_aperture, narrow = beam / per_beam;
-  const double middle = head.beam_azimuths.empty() ? 0 : head.beam_azimuths.front();
+void BearingCells::set_two_way(const SonarConfig& sonar, double end) {
+  const double beam = sonar.azimuth_aperture, narrow = beam / per_beam;
+  const double middle = sonar.beam_azimuths.empty() ? 0 : sonar.beam_azimuths.front();
   const int room = std::max(0, static_cast<int>((0.5 * kWidest - std::abs(middle)) / beam - 0.5));
   const int wanted = static_cast<int>(std::ceil(end / beam - 0.5));
   const int neighbours = std::min(room, std::clamp(wanted, kNeighbourBeams, kNarrowNeighbours));
-  sonar.beam_count = per_beam * (1 + 2 * neighbours);
-  sonar.azimuth_aperture = beam * (1 + 2 * neighbours);
-  first = per_beam * neighbours;
+  const int narrow_count = per_beam * (1 + 2 * neighbours);
+  const double extent = beam * (1 + 2 * neighbours);
 
-  // SonarConfig::beam_edges() are midway between centres, so that the first wide cell's centre is half a narrow cell
-  // beyond its inner edge.
-  const double inner = 0.5 * sonar.azimuth_aperture, first_centre = inner + 0.5 * narrow;
+  // Edges are midway between centres, so that the first wide cell's centre is half a narrow cell beyond its inner edge.
+  const double inner = 0.5 * extent, first_centre = inner + 0.5 * narrow;
   const int most = static_cast<int>(std::floor((kGuardEnd - std::abs(middle) - first_centre) / beam + 0.5));
   const int needed = end > inner ? static_cast<int>(std::ceil((end - first_centre) / beam + 0.5)) : 0;
   const int wide = std::max(0, std::min(most, needed));
-  if (wide == 0 && head.beam_azimuths.empty()) {
+  firsts = {per_beam * neighbours + wide};
+  if (wide == 0 && sonar.beam_azimuths.empty()) {
+    grid = BearingGrid::even(0, extent, narrow_count);
     return;
   }
-  const int narrow_count = sonar.beam_count;
-  sonar.beam_azimuths.clear();
+  std::vector<double> centres;
   for (int cell = wide - 1; cell >= 0; --cell) {
-    sonar.beam_azimuths.push_back(middle + first_centre + cell * beam);
+    centres.push_back(middle + first_centre + cell * beam);
   }
   for (int cell = 0; cell < narrow_count; ++cell) {
-    sonar.beam_azimuths.push_back(middle + inner - (cell + 0.5) * narrow);
+    centres.push_back(middle + inner - (cell + 0.5) * narrow);
   }
   for (int cell = 0; cell < wide; ++cell) {
-    sonar.beam_azimuths.push_back(middle - first_centre - cell * beam);
+    centres.push_back(middle - first_centre - cell * beam);
   }
-  sonar.beam_count = narrow_count + 2 * wide;
-  first += wide;
-  const std::vector<double> edges = sonar.beam_edges();
-  sonar.azimuth_aperture = edges.front() - edges.back();
-  for (const double edge : edges) {
+  grid = BearingGrid::touching(std::move(centres));
+  for (const double edge : grid.edges()) {
     edge_sines.push_back(std::sin(edge));
   }
 }
@@ -150,43 +161,74 @@ void BearingCells::set_head(const SonarConfig& head, double end) {
 // Cuts each beam's slice into equal cells, and adds guard cells as wide as the outermost ones.
 // @param reach  See guard_reach().
 void BearingCells::set_fan(const SonarConfig& fan, double reach) {
-  const std::vector<double> edges = fan.beam_edges();
-  const int last = fan.beam_count - 1;
-  const double port_width = (edges[0] - edges[1]) / per_beam;
-  const double starboard_width = (edges[last] - edges[last + 1]) / per_beam;
-  int to_port = guard_cells(fan.beam_azimuth(0), edges.front(), port_width, reach);
-  int to_starboard = guard_cells(-fan.beam_azimuth(last), -edges.back(), starboard_width, reach);
+  const BearingGrid beams = fan.bearings();
+  const int last = beams.count() - 1;
+  const double port_width = beams.width(0) / per_beam, starboard_width = beams.width(last) / per_beam;
+  int to_port = guard_cells(beams.centres[0], beams.port[0], port_width, reach);
+  int to_starboard = guard_cells(-beams.centres[last], -beams.starboard[last], starboard_width, reach);
   if (fan.beam_azimuths.empty()) {
     to_port = to_starboard = std::max(to_port, to_starboard);  // An even fan stays centred; they differ by rounding.
   }
-  first = to_port;
-  sonar.beam_count = to_port + per_beam * fan.beam_count + to_starboard;
+  for (int beam = 0; beam < beams.count(); ++beam) {
+    firsts.push_back(to_port + per_beam * beam);
+  }
   if (fan.beam_azimuths.empty()) {
-    sonar.azimuth_aperture = fan.azimuth_aperture + (to_port + to_starboard) * port_width;
+    grid = BearingGrid::even(0, fan.azimuth_aperture + (to_port + to_starboard) * port_width,
+                             to_port + per_beam * beams.count() + to_starboard);
     return;
   }
-  sonar.beam_azimuths.clear();
+  std::vector<double> centres;
   for (int cell = to_port; cell > 0; --cell) {
-    sonar.beam_azimuths.push_back(edges.front() + (cell - 0.5) * port_width);
+    centres.push_back(beams.port[0] + (cell - 0.5) * port_width);
   }
-  for (int beam = 0; beam < fan.beam_count; ++beam) {
-    const double width = (edges[beam] - edges[beam + 1]) / per_beam;
+  for (int beam = 0; beam < beams.count(); ++beam) {
+    const double width = beams.width(beam) / per_beam;
     for (int cell = 0; cell < per_beam; ++cell) {
-      sonar.beam_azimuths.push_back(edges[beam] - (cell + 0.5) * width);
+      centres.push_back(beams.port[beam] - (cell + 0.5) * width);
     }
   }
   for (int cell = 0; cell < to_starboard; ++cell) {
-    sonar.beam_azimuths.push_back(edges.back() - (cell + 0.5) * starboard_width);
+    centres.push_back(beams.starboard[last] - (cell + 0.5) * starboard_width);
   }
+  grid = centres.size() > 1 ? BearingGrid::touching(std::move(centres)) : beams;
 }
 
-std::vector<double> BearingCells::sines(const SonarConfig& fan) {
-  std::vector<double> sines;
-  sines.reserve(fan.beam_count);
-  for (int beam = 0; beam < fan.beam_count; ++beam) {
-    sines.push_back(std::sin(fan.beam_azimuth(beam)));
+// The same where there are gaps between beams: guard cells on either side of each gap as well, or in all of it if they
+// would meet there.
+// @param guard_width  Least width of a guard cell [rad].
+void BearingCells::set_gapped_fan(const BearingGrid& beams, double reach, double guard_width) {
+  const auto add_even = [this](double port, double starboard, int count) {
+    const BearingGrid cells = BearingGrid::even(0.5 * (port + starboard), port - starboard, count);
+    for (int i = 0; i < count; ++i) {  // Touching cells have the same edge, bit by bit.
+      const double edge = i == 0 ? port : grid.starboard.back();
+      grid.add(cells.centres[i], edge, i + 1 == count ? starboard : cells.starboard[i]);
+    }
+  };
+  const auto guard_of = [&](int beam) { return std::max(guard_width, beams.width(beam) / per_beam); };
+  const int last = beams.count() - 1;
+  for (int beam = 0; beam <= last; ++beam) {
+    const double guard = guard_of(beam), port = beams.port[beam], starboard = beams.starboard[beam];
+    if (beam == 0) {
+      const int cells = guard_cells(beams.centres[beam], port, guard, reach);
+      add_even(port + cells * guard, port, cells);
+    }
+    firsts.push_back(grid.count());
+    add_even(port, starboard, per_beam);
+    if (beam == last) {
+      const int cells = guard_cells(-beams.centres[beam], -starboard, guard, reach);
+      add_even(starboard, starboard - cells * guard, cells);
+    } else if (beams.gap_after(beam)) {
+      const double next = beams.port[beam + 1], gap = starboard - next, next_guard = guard_of(beam + 1);
+      const int cells = guard_cells(-beams.centres[beam], -starboard, guard, reach);
+      const int next_cells = guard_cells(beams.centres[beam + 1], next, next_guard, reach);
+      if (cells * guard + next_cells * next_guard >= gap) {
+        add_even(starboard, next, static_cast<int>(std::ceil(gap / std::min(guard, next_guard))));
+      } else {
+        add_even(starboard, starboard - cells * guard, cells);
+        add_even(next + next_cells * next_guard, next, next_cells);
+      }
+    }
   }
-  return sines;
 }
 
 }  // namespace insonify

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "insonify/bearing_grid.h"
 #include "insonify/receiver_config.h"
 #include "insonify/sonar_config.h"
 
@@ -15,11 +16,13 @@ namespace insonify {
 /// from between and outside the beam directions: two cells per beam for a fan, and guard cells on either side of it.
 /// They reach so far that the outermost beam loses less than kGuardLoss of its energy. Where beams are narrower than
 /// their spacing, there are more cells per beam: none is wider than half a beam. Where they overlap so much that their
-/// spacing is at most kWidestSingle of their width, each has one cell.
+/// spacing is at most kWidestSingle of their width, each has one cell. A gap between beams is filled with guard cells
+/// as far as the beams beside it reach.
 ///
-/// The single beam of a scanning head is divided into eight cells. The grid extends by two beam widths on either side,
-/// and further to where the two-way pattern of the perfect array stays below kHeadFloorDb: in cells as narrow up to
-/// kNarrowNeighbours beam widths on either side, beyond in cells as wide as the beam, so that they take little time.
+/// The single beam of a two-way array, such as that of a scanning head, is divided into eight cells. The grid extends
+/// by two beam widths on either side, and further to where the two-way pattern of the perfect array stays below
+/// kTwoWayFloorDb: in cells as narrow up to kNarrowNeighbours beam widths on either side, beyond in cells as wide as
+/// the beam, so that they take little time.
 struct BearingCells {
   /// Share of the pattern's energy that may lie outside the guard cells, for the outermost beam of a fan. Guard cells
   /// end at kGuardEnd even where more is lost.
@@ -30,25 +33,27 @@ struct BearingCells {
   /// two cells per beam of the Gemini 720i .16 dB.
   static constexpr double kWidestSingle = 0.3;
 
-  static constexpr double kHeadFloorDb = -60;  ///< Re the main lobe, as BearingResponse::kFloorDb [dB].
-  static constexpr int kNarrowNeighbours = 4;  ///< Beyond, side lobes of a uniform line are below -45 dB.
+  static constexpr double kTwoWayFloorDb = -60;  ///< Re the main lobe, as BearingResponse::kFloorDb [dB].
+  static constexpr int kNarrowNeighbours = 4;    ///< Beyond, side lobes of a uniform line are below -45 dB.
 
   /// @throws Error if beams narrower than their spacing take more than 32768 cells.
   BearingCells(const SonarConfig& sonar, const ReceiverConfig& receiver);
 
-  SonarConfig sonar;  ///< The sonar with one beam per cell: the configuration that engines sample.
-  int first = 0;      ///< Index of the cell at the port edge of beam 0.
-  int per_beam = 1;   ///< Cells per beam: those within the beam's own slice of azimuth.
+  BearingGrid grid;         ///< The cells, which engines sample.
+  int columns = 1;          ///< Lattice columns in each cell.
+  int per_beam = 1;         ///< Cells per beam: those within the beam's own slice of azimuth.
+  std::vector<int> firsts;  ///< [beam] Index of the cell at the port edge of the beam.
 
   /// u of the cells' edges, one more than cells, where some are wider than side lobes; else empty.
   std::vector<double> edge_sines;
 
-  /// Returns u = sin(azimuth) of the centre of each beam of `fan`; with `sonar`, of each cell.
-  [[nodiscard]] static std::vector<double> sines(const SonarConfig& fan);
+  /// The beam whose own slice holds a cell; -1 for guard cells.
+  [[nodiscard]] int beam_of(int cell) const;
 
  private:
   void set_fan(const SonarConfig& fan, double reach);
-  void set_head(const SonarConfig& head, double end);
+  void set_gapped_fan(const BearingGrid& beams, double reach, double guard_width);
+  void set_two_way(const SonarConfig& sonar, double end);
 };
 
 }  // namespace insonify

@@ -67,7 +67,7 @@ ArraySettings azimuth_array(const ReceiverConfig& receiver, const SonarConfig& s
   array.element_error_db = receiver.element_error_db;
   array.element_error = receiver.element_error;
   array.dead_elements = receiver.dead_elements;
-  array.two_way = sonar.type == SonarType::kMechanicallyScanned;
+  array.two_way = sonar.is_two_way();
   return array;
 }
 
@@ -84,7 +84,8 @@ ArraySettings receiving_array(const ReceiverConfig& receiver, const SonarConfig&
 }
 
 double beam_width(const SonarConfig& sonar) {
-  return sonar.azimuth_resolution.value_or(sonar.azimuth_aperture / sonar.beam_count);
+  const double covered = sonar.beam_widths.empty() ? sonar.azimuth_aperture : sonar.bearings().covered();
+  return sonar.azimuth_resolution.value_or(covered / sonar.beam_count);
 }
 
 }  // namespace insonify

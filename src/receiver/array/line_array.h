@@ -14,8 +14,8 @@ namespace insonify {
 /// @throws Error if more elements are needed than an array may have.
 [[nodiscard]] ArraySettings line_array(BeamPattern pattern, double side_lobe_db, double beam_width);
 
-/// The array that receives across bearings, with the faults of its elements. On scanning heads it also transmits, so
-/// its pattern applies twice. Not for kTopHat.
+/// The array that receives across bearings, with the faults of its elements. Where it also transmits
+/// (SonarConfig::is_two_way()) its pattern applies twice. Not for kTopHat.
 /// @throws Error as line_array().
 [[nodiscard]] ArraySettings azimuth_array(const ReceiverConfig& receiver, const SonarConfig& sonar);
 
@@ -25,8 +25,8 @@ namespace insonify {
 /// The array of azimuth_array() for the reception of noise: one way, without element faults.
 [[nodiscard]] ArraySettings receiving_array(const ReceiverConfig& receiver, const SonarConfig& sonar);
 
-/// Width of the beams of an azimuth pattern at half power [rad]: the sonar's azimuth_resolution, or the beam spacing
-/// where it has none.
+/// Width of the beams of an azimuth pattern at half power [rad]: the sonar's azimuth_resolution, or where it has none
+/// the mean width of the slices of azimuth of its beams.
 [[nodiscard]] double beam_width(const SonarConfig& sonar);
 
 }  // namespace insonify

@@ -8,7 +8,6 @@
 #include <numbers>
 
 #include "insonify/acoustics/sonar_equation.h"
-#include "receiver/array/bearing_cells.h"
 #include "receiver/noise/noise_level.h"
 
 namespace insonify {
@@ -49,8 +48,8 @@ ThrusterNoise::ThrusterNoise(const Settings& settings)
     : beams_(settings.sonar.beam_count),
       bins_(settings.sonar.bin_count),
       shape_(settings.receiver.beam_shape),
-      edges_(settings.sonar.beam_edges()),
-      sines_(BearingCells::sines(settings.sonar)),
+      slices_(settings.sonar.bearings()),
+      sines_(slices_.sines()),
       taps_(noise_taps(settings.pulse, settings.sonar.bin_length())),
       length_(settings.length),
       element_(settings.sonar.element_width),
@@ -88,7 +87,7 @@ void ThrusterNoise::aim(Source& source, const Vec3& place) const {
   const bool is_behind = !(direction.x() > 0) && (array_ || shape_ == BeamShape::kCone);
   const double across = is_behind ? 0 : std::sqrt(elevations_.intensity(elevation));
   for (int beam = 0; beam < beams_; ++beam) {
-    std::complex<double> gain = bearing <= edges_[beam] && bearing > edges_[beam + 1] ? 1 : 0;
+    std::complex<double> gain = slices_.has(beam, bearing) ? 1 : 0;
     if (array_) {
       const ArrayPattern& pattern = source.patterns.empty() ? *array_ : source.patterns[beam];
       gain = pattern.amplitude(length_ * (sine - sines_[beam]));

@@ -74,7 +74,8 @@ class ThrusterNoise {
 
   int beams_, bins_;
   BeamShape shape_;
-  std::vector<double> edges_, sines_;  // [beam + 1] Azimuths of the edges [rad]; [beam] sines of the middles.
+  BearingGrid slices_;         // Of the beams.
+  std::vector<double> sines_;  // [beam] Sines of the middles.
   std::vector<float> taps_;
   std::optional<ArrayPattern> array_;
   double length_;

@@ -112,16 +112,15 @@ class Clutter::Patches {
   static constexpr std::int32_t kNever = 1 << 30;
 };
 
-Clutter::Clutter(std::span<const Material> materials, const SonarConfig& cells, const ScattererLattice& lattice,
+Clutter::Clutter(std::span<const Material> materials, const BearingGrid& cells, const ScattererLattice& lattice,
                  std::uint64_t seed)
     : first_range_(static_cast<float>(lattice.first_range())),
       bin_length_(static_cast<float>(lattice.bin_length())),
       window_(static_cast<float>(lattice.window())),
+      azimuth_(cells.centres),
       key_(philox({static_cast<std::uint32_t>(RandomPurpose::kClutter)}, philox_key(seed))) {
-  const std::vector<double> edges = cells.beam_edges();
-  for (int cell = 0; cell < cells.beam_count; ++cell) {
-    azimuth_.push_back(cells.beam_azimuth(cell));
-    width_.push_back(edges[cell] - edges[cell + 1]);
+  for (int cell = 0; cell < cells.count(); ++cell) {
+    width_.push_back(cells.width(cell));
   }
   for (const Material& material : materials) {
     table_.push_back(material.clutter_shape ? static_cast<int>(laws_.size()) : -1);

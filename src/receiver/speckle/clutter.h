@@ -25,9 +25,9 @@ namespace insonify {
 /// nu A / length^2 (Abraham and Lyons, IEEE J. Ocean. Eng. 27, 800 (2002)).
 class Clutter {
  public:
-  /// @param cells    The grids' cells, see BearingCells::sonar.
+  /// @param cells    The grids' cells.
   /// @param lattice  Used in the constructor only.
-  Clutter(std::span<const Material> materials, const SonarConfig& cells, const ScattererLattice& lattice,
+  Clutter(std::span<const Material> materials, const BearingGrid& cells, const ScattererLattice& lattice,
           std::uint64_t seed);
 
   /// Whether any material has texture.

@@ -43,23 +43,21 @@ struct ScattererLattice::Axes {
   Windows windows;
 };
 
-ScattererLattice::ScattererLattice(const SonarConfig& cells, double range_scale, double wavelength, double window,
-                                   std::uint64_t seed)
-    : bins_(cells.bin_count),
-      first_range_(range_scale * cells.bin_range(0)),
-      bin_length_(range_scale * cells.bin_length()),
+ScattererLattice::ScattererLattice(const BearingGrid& cells, const SonarConfig& sonar, double range_scale,
+                                   double wavelength, double window, std::uint64_t seed)
+    : bins_(sonar.bin_count),
+      first_range_(range_scale * sonar.bin_range(0)),
+      bin_length_(range_scale * sonar.bin_length()),
       window_(window),
       step_(window / kStepsPerWindow),
       turns_per_metre_(2 / wavelength),
       smoothed_bins_(std::min(static_cast<int>(std::lround(kSmoothing / bin_length_)), kMostSmoothing)),
+      azimuth_(cells.centres),
       seed_(seed) {
-  const std::vector<double> edges = cells.beam_edges();
-  double narrowest = edges.front() - edges.back();
-  for (int cell = 0; cell < cells.beam_count; ++cell) {
-    azimuth_.push_back(cells.beam_azimuth(cell));
-    narrowest = std::min(narrowest, edges[cell] - edges[cell + 1]);
+  cell_width_ = cells.extent();
+  for (int cell = 0; cell < cells.count(); ++cell) {
+    cell_width_ = std::min(cell_width_, cells.width(cell));
   }
-  cell_width_ = narrowest;
 }
 
 // Divides the row into runs of bins whose scatterers are fixed in one frame.

@@ -28,11 +28,13 @@ class ScattererLattice {
   static constexpr double kStripWidth = 2;      ///< [m]
   static constexpr double kLayer = 1;           ///< [m]
 
-  /// @param cells        The grids' cells, see BearingCells::sonar.
+  /// @param cells        The grids' cells.
+  /// @param sonar        Its range bins.
   /// @param range_scale  True range / reported range.
   /// @param wavelength   [m]
   /// @param window       True length of a bin's window [m].
-  ScattererLattice(const SonarConfig& cells, double range_scale, double wavelength, double window, std::uint64_t seed);
+  ScattererLattice(const BearingGrid& cells, const SonarConfig& sonar, double range_scale, double wavelength,
+                   double window, std::uint64_t seed);
 
   /// Finds the windows of the given bins of a cell: on the object for echoes of an object, else in the world. `views`
   /// must outlive the use of `row`.

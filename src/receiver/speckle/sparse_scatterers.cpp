@@ -36,12 +36,11 @@ ScattererWords words_of(const ScattererRow& row, const ScattererRow::Run& run, i
 
 }  // namespace
 
-SparseScatterers::SparseScatterers(std::span<const Material> materials, const SonarConfig& cells,
+SparseScatterers::SparseScatterers(std::span<const Material> materials, const BearingGrid& cells,
                                    const ScattererLattice& lattice)
     : first_range_(lattice.first_range()), bin_length_(lattice.bin_length()), window_(lattice.window()) {
-  const std::vector<double> edges = cells.beam_edges();
-  for (int cell = 0; cell < cells.beam_count; ++cell) {
-    width_.push_back(edges[cell] - edges[cell + 1]);
+  for (int cell = 0; cell < cells.count(); ++cell) {
+    width_.push_back(cells.width(cell));
   }
   for (const Material& material : materials) {
     density_.push_back(material.scatterer_density.value_or(std::numeric_limits<double>::infinity()));

@@ -27,9 +27,9 @@ class SparseScatterers {
  public:
   static constexpr double kMany = 32;  ///< From this N on, speckle is Gaussian; <I^2> would be 1.5 % larger.
 
-  /// @param cells    The grids' cells, see BearingCells::sonar.
+  /// @param cells    The grids' cells.
   /// @param lattice  Used in the constructor only.
-  SparseScatterers(std::span<const Material> materials, const SonarConfig& cells, const ScattererLattice& lattice);
+  SparseScatterers(std::span<const Material> materials, const BearingGrid& cells, const ScattererLattice& lattice);
 
   /// Whether any material has a `scatterer_density`.
   [[nodiscard]] bool any() const { return any_; }

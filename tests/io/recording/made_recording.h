@@ -33,7 +33,7 @@ inline SonarConfig scanning_sonar() {
   SonarConfig sonar = fan_sonar();
   sonar.type = SonarType::kMechanicallyScanned;
   sonar.beam_count = 1;
-  sonar.mounting = Mounting::kVertical;
+  sonar.head.mounting = Mounting::kVertical;
   return sonar;
 }
 

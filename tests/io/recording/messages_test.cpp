@@ -298,7 +298,7 @@ SonarConfig head() {
   sonar.beam_count = 1;
   sonar.beam_azimuths = {};
   sonar.azimuth_aperture = 0.05;
-  sonar.step = kQuarter;
+  sonar.head.step = kQuarter;
   return sonar;
 }
 

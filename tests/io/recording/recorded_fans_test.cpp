@@ -20,7 +20,7 @@ SonarConfig sonar_of(SonarType type) {
   sonar.beam_count = 1;
   sonar.bin_count = 3;
   sonar.max_range = 9;
-  sonar.step = 0.7;
+  sonar.head.step = 0.7;
   sonar.assumed_sound_speed = 1500;
   sonar.ping_period = kPeriod;
   return sonar;

@@ -63,11 +63,11 @@ TEST(RecordedPingsTest, GiveBackSettingsAndPings) {
   SonarConfig sonar;
   sonar.name = "around";
   sonar.type = SonarType::kMechanicallyScanned;
-  sonar.mounting = Mounting::kVertical;
+  sonar.head.mounting = Mounting::kVertical;
   sonar.beam_count = 1;
   sonar.bin_count = 3;
   sonar.azimuth_aperture = 0.05;
-  sonar.step = 0.1;
+  sonar.head.step = 0.1;
   sonar.ping_period = 0.25;
   sonar.position = {1, 2, -3};
   Ping ping;

@@ -121,10 +121,10 @@ TEST_F(StonefishSonarsTest, AScanningSonarSweepsFromPortToStarboard) {
   EXPECT_EQ(msis.bin_count, 400);
   EXPECT_NEAR(msis.azimuth_aperture, radians_from_degrees(3), kTextError);
   EXPECT_NEAR(msis.elevation_aperture, radians_from_degrees(35), kTextError);
-  EXPECT_NEAR(msis.step, radians_from_degrees(-1.8), kTextError);
+  EXPECT_NEAR(msis.head.step, radians_from_degrees(-1.8), kTextError);
   EXPECT_NEAR(msis.head_angle(0), radians_from_degrees(30), kTextError);  // -30 deg in Stonefish is to port.
   EXPECT_LT(msis.head_angle(1), msis.head_angle(0));
-  EXPECT_NEAR(msis.sector_width, radians_from_degrees(120), kTextError);
+  EXPECT_NEAR(msis.head.sector_width, radians_from_degrees(120), kTextError);
   expect_near(axis_of(msis), {1, 0, 0});
 }
 
@@ -132,8 +132,8 @@ TEST_F(StonefishSonarsTest, AScanningSonarSweepsFromPortToStarboard) {
 TEST_F(StonefishSonarsTest, StepsDivideTheCircle) {
   const std::string specs = "<specs step='7' bins='9' horizontal_beam_width='3' vertical_beam_width='35'/>";
   const SonarConfig msis = sonars(robot(sensor("msis", "msis", specs))).sonars.at(0);
-  EXPECT_NEAR(msis.step, radians_from_degrees(-360.0 / 52), kTextError);
-  EXPECT_NEAR(msis.sector_width, radians_from_degrees(360), kTextError);
+  EXPECT_NEAR(msis.head.step, radians_from_degrees(-360.0 / 52), kTextError);
+  EXPECT_NEAR(msis.head.sector_width, radians_from_degrees(360), kTextError);
 }
 
 // The sensor's x is to starboard and its z down, so its y is aft. The axes are 60 deg below the horizontal.

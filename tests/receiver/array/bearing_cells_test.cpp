@@ -42,8 +42,8 @@ double share_between(double low, double high, double u0, double length) {
 
 TEST(BearingCellsTest, TopHatBeamsAreCells) {
   const BearingCells cells(fan(2), with(BeamPattern::kTopHat));
-  EXPECT_EQ(cells.sonar.beam_count, 64);
-  EXPECT_EQ(cells.first, 0);
+  EXPECT_EQ(cells.grid.count(), 64);
+  EXPECT_EQ(cells.firsts[0], 0);
   EXPECT_EQ(cells.per_beam, 1);
 }
 
@@ -53,18 +53,18 @@ TEST(BearingCellsTest, TopHatBeamsAreCells) {
 // 27.517: 32.37 degrees, 5.1 cells. A beam of 3.2 degrees has 25.798: 32.54 degrees, 2.7 cells of 0.9375.
 TEST(BearingCellsTest, GuardCellsReachWhereTheOutermostBeamHears) {
   const BearingCells uniform(fan(2.5), with(BeamPattern::kRectangular));
-  EXPECT_EQ(uniform.first, 18);
-  EXPECT_EQ(uniform.sonar.beam_count, 2 * (64 + 18));
-  EXPECT_NEAR(uniform.sonar.azimuth_aperture / kDegree, 60 + 36 * 0.46875, 1e-9);
+  EXPECT_EQ(uniform.firsts[0], 18);
+  EXPECT_EQ(uniform.grid.count(), 2 * (64 + 18));
+  EXPECT_NEAR(uniform.grid.extent() / kDegree, 60 + 36 * 0.46875, 1e-9);
   for (int half = 0; half < 128; ++half) {  // Those within the fan are halves of its beams, as ever.
-    EXPECT_NEAR(uniform.sonar.beam_azimuth(18 + half), 60 * kDegree * (0.5 - (half + 0.5) / 128), 1e-12);
+    EXPECT_NEAR(uniform.grid.centres[18 + half], 60 * kDegree * (0.5 - (half + 0.5) / 128), 1e-12);
   }
   const BearingCells hann(fan(3), with(BeamPattern::kHann));
-  EXPECT_EQ(hann.first, 6);
-  EXPECT_EQ(hann.sonar.beam_count, 2 * (64 + 6));
+  EXPECT_EQ(hann.firsts[0], 6);
+  EXPECT_EQ(hann.grid.count(), 2 * (64 + 6));
   const BearingCells dense(fan(3.2), with(BeamPattern::kHann));
-  EXPECT_EQ(dense.first, 3);
-  EXPECT_EQ(dense.sonar.beam_count, 64 + 6);
+  EXPECT_EQ(dense.firsts[0], 3);
+  EXPECT_EQ(dense.grid.count(), 64 + 6);
 }
 
 // Beams 0.9375 degrees apart: a cell of 0.3 beam widths at most needs a width of 3.125 degrees. The edges of the middle
@@ -73,8 +73,8 @@ TEST(BearingCellsTest, FansThatOverlapMuchHaveOneCellABeam) {
   EXPECT_EQ(BearingCells(fan(3.12), with(BeamPattern::kTaylor)).per_beam, 2);
   const BearingCells cells(fan(3.13), with(BeamPattern::kTaylor));
   EXPECT_EQ(cells.per_beam, 1);
-  EXPECT_EQ(cells.sonar.sampling.columns_per_beam, Sampling::kColumns);  // As many rays as with two cells.
-  EXPECT_NEAR(cells.sonar.beam_azimuth(cells.first + 5), fan(3.13).beam_azimuth(5), 1e-12);
+  EXPECT_EQ(cells.columns, Sampling::kColumns);  // As many rays as with two cells.
+  EXPECT_NEAR(cells.grid.centres[cells.firsts[0] + 5], fan(3.13).beam_azimuth(5), 1e-12);
   SonarConfig head = fan(30);
   head.type = SonarType::kMechanicallyScanned;
   head.beam_count = 1;
@@ -87,8 +87,8 @@ TEST(BearingCellsTest, OutermostBeamsLoseLessThanTwoPercent) {
     const SonarConfig sonar = fan(resolution);
     const BearingCells cells(sonar, with(BeamPattern::kRectangular));
     const double length = 0.8858929413781328 / (2 * std::sin(0.5 * resolution * kDegree));
-    const double u0 = std::sin(sonar.beam_azimuth(0)), end = 0.5 * cells.sonar.azimuth_aperture;
-    const double cell = cells.sonar.azimuth_aperture / cells.sonar.beam_count;
+    const double u0 = std::sin(sonar.beam_azimuth(0)), end = 0.5 * cells.grid.extent();
+    const double cell = cells.grid.extent() / cells.grid.count();
     // Half of the energy lies to port of the beam.
     EXPECT_GT(share_between(u0, std::sin(end), u0, length), 0.48) << resolution;
     EXPECT_LT(share_between(u0, std::sin(end - cell), u0, length), 0.48) << resolution;
@@ -99,10 +99,10 @@ TEST(BearingCellsTest, GuardCellsEndNinetyDegreesOff) {
   SonarConfig sonar = fan(8);
   sonar.azimuth_aperture = 160 * kDegree;  // Cells of 1.25 degrees: 7 of them up to 88.75 degrees.
   const BearingCells cells(sonar, with(BeamPattern::kRectangular));
-  EXPECT_EQ(cells.first, 7);
-  EXPECT_NEAR(cells.sonar.azimuth_aperture / kDegree, 177.5, 1e-9);
+  EXPECT_EQ(cells.firsts[0], 7);
+  EXPECT_NEAR(cells.grid.extent() / kDegree, 177.5, 1e-9);
   sonar.azimuth_aperture = 180 * kDegree;
-  EXPECT_EQ(BearingCells(sonar, with(BeamPattern::kRectangular)).first, 0);
+  EXPECT_EQ(BearingCells(sonar, with(BeamPattern::kRectangular)).firsts[0], 0);
 }
 
 // Slices of 8, 9, 6.5 and 3 degrees, from 34 to 7.5, in three cells each, so that none is wider than half a beam in u:
@@ -112,21 +112,21 @@ TEST(BearingCellsTest, ExplicitBeamsHaveGuardCellsAsWideAsTheOutermost) {
   SonarConfig sonar = fan(6);
   sonar.beam_azimuths = {30 * kDegree, 22 * kDegree, 12 * kDegree, 9 * kDegree};
   sonar.beam_count = 4;
-  const std::vector<double> edges = sonar.beam_edges();
+  const std::vector<double> edges = sonar.bearings().edges();
   ASSERT_NEAR(edges.front() / kDegree, 34, 1e-9);
   ASSERT_NEAR(edges.back() / kDegree, 7.5, 1e-9);
   const BearingCells cells(sonar, with(BeamPattern::kRectangular));
   EXPECT_EQ(cells.per_beam, 3);
-  EXPECT_EQ(cells.first, 8);                       // (53.0 - 34) / (8 / 3) = 7.1
-  EXPECT_EQ(cells.sonar.beam_count, 8 + 12 + 16);  // (8.2 + 7.5) / 1 = 15.7
-  EXPECT_NEAR(cells.sonar.beam_azimuths[7] / kDegree, 34 + 4.0 / 3, 1e-9);
-  EXPECT_NEAR(cells.sonar.beam_azimuths[8] / kDegree, 34 - 4.0 / 3, 1e-9);
-  EXPECT_NEAR(cells.sonar.beam_azimuths[19] / kDegree, 8, 1e-9);
-  EXPECT_NEAR(cells.sonar.beam_azimuths[20] / kDegree, 7, 1e-9);
-  EXPECT_NEAR(cells.sonar.beam_azimuths[35] / kDegree, -8, 1e-9);
+  EXPECT_EQ(cells.firsts[0], 8);               // (53.0 - 34) / (8 / 3) = 7.1
+  EXPECT_EQ(cells.grid.count(), 8 + 12 + 16);  // (8.2 + 7.5) / 1 = 15.7
+  EXPECT_NEAR(cells.grid.centres[7] / kDegree, 34 + 4.0 / 3, 1e-9);
+  EXPECT_NEAR(cells.grid.centres[8] / kDegree, 34 - 4.0 / 3, 1e-9);
+  EXPECT_NEAR(cells.grid.centres[19] / kDegree, 8, 1e-9);
+  EXPECT_NEAR(cells.grid.centres[20] / kDegree, 7, 1e-9);
+  EXPECT_NEAR(cells.grid.centres[35] / kDegree, -8, 1e-9);
   // The fan's own edges stay.
-  EXPECT_NEAR(cells.sonar.beam_edges()[8] / kDegree, 34, 1e-9);
-  EXPECT_NEAR(cells.sonar.beam_edges()[20] / kDegree, 7.5, 1e-9);
+  EXPECT_NEAR(cells.grid.edges()[8] / kDegree, 34, 1e-9);
+  EXPECT_NEAR(cells.grid.edges()[20] / kDegree, 7.5, 1e-9);
 }
 
 // Dead elements raise side lobes everywhere; the cells stay those of the array without faults.
@@ -136,8 +136,8 @@ TEST(BearingCellsTest, FaultsDoNotChangeTheCells) {
   const BearingCells perfect(fan(2), receiver);
   receiver.dead_elements = {3, 17, 40};
   receiver.element_error = 0.5;
-  EXPECT_EQ(BearingCells(fan(2), receiver).sonar.beam_count, perfect.sonar.beam_count);
-  EXPECT_GT(perfect.first, 0);
+  EXPECT_EQ(BearingCells(fan(2), receiver).grid.count(), perfect.grid.count());
+  EXPECT_GT(perfect.firsts[0], 0);
 }
 
 SonarConfig head(double width_deg) {
@@ -150,11 +150,10 @@ SonarConfig head(double width_deg) {
 
 TEST(BearingCellsTest, HeadsWithLowSideLobesHaveTwoNeighboursOnEitherSide) {
   const BearingCells cells(head(3), with(BeamPattern::kHann));
-  EXPECT_EQ(cells.sonar.beam_count, 8 * 5);
-  EXPECT_EQ(cells.first, 8 * 2);
+  EXPECT_EQ(cells.grid.count(), 8 * 5);
+  EXPECT_EQ(cells.firsts[0], 8 * 2);
   EXPECT_EQ(cells.per_beam, 8);
-  EXPECT_NEAR(cells.sonar.azimuth_aperture / kDegree, 15, 1e-9);
-  EXPECT_TRUE(cells.sonar.beam_azimuths.empty());
+  EXPECT_NEAR(cells.grid.extent() / kDegree, 15, 1e-9);
   EXPECT_TRUE(cells.edge_sines.empty());
 }
 
@@ -162,15 +161,15 @@ TEST(BearingCellsTest, HeadsWithLowSideLobesHaveTwoNeighboursOnEitherSide) {
 // degrees. Narrow cells end at 4.5 x 3 = 13.5 degrees; the wide ones at 13.6875 + 1.5 + n x 3, n = 7 being the least.
 TEST(BearingCellsTest, HeadsHearTheirSideLobesDownToSixtyDecibels) {
   const BearingCells cells(head(3), with(BeamPattern::kRectangular));
-  EXPECT_EQ(cells.sonar.beam_count, 8 * 9 + 2 * 8);
-  EXPECT_EQ(cells.first, 8 * 4 + 8);
-  const std::vector<double> edges = cells.sonar.beam_edges();
+  EXPECT_EQ(cells.grid.count(), 8 * 9 + 2 * 8);
+  EXPECT_EQ(cells.firsts[0], 8 * 4 + 8);
+  const std::vector<double> edges = cells.grid.edges();
   EXPECT_NEAR(edges.front() / kDegree, 13.6875 + 1.5 + 7 * 3, 1e-9);
   EXPECT_NEAR(edges[7] / kDegree, 13.6875 + 1.5, 1e-9);
   EXPECT_NEAR(edges[8] / kDegree, 13.5, 1e-9);
   EXPECT_NEAR(edges[9] / kDegree, 13.125, 1e-9);
-  EXPECT_NEAR(edges[cells.first] / kDegree, 1.5, 1e-9);
-  EXPECT_NEAR(edges[cells.first + 8] / kDegree, -1.5, 1e-9);
+  EXPECT_NEAR(edges[cells.firsts[0]] / kDegree, 1.5, 1e-9);
+  EXPECT_NEAR(edges[cells.firsts[0] + 8] / kDegree, -1.5, 1e-9);
   EXPECT_NEAR(edges.back(), -edges.front(), 1e-12);
   ASSERT_EQ(cells.edge_sines.size(), edges.size());
   EXPECT_NEAR(cells.edge_sines[8], std::sin(13.5 * kDegree), 1e-12);
@@ -179,19 +178,19 @@ TEST(BearingCellsTest, HeadsHearTheirSideLobesDownToSixtyDecibels) {
 // 30 degrees wide: side lobes reach 90 degrees off, cells must not.
 TEST(BearingCellsTest, CellsOfWideHeadsEndNinetyDegreesOff) {
   const BearingCells cells(head(30), with(BeamPattern::kRectangular));
-  const std::vector<double> edges = cells.sonar.beam_edges();
+  const std::vector<double> edges = cells.grid.edges();
   EXPECT_LE(edges.front(), BearingCells::kGuardEnd);
   EXPECT_GT(edges.front(), radians_from_degrees(70));
-  EXPECT_NEAR(edges[cells.first] / kDegree, 15, 1e-9);
+  EXPECT_NEAR(edges[cells.firsts[0]] / kDegree, 15, 1e-9);
 }
 
 TEST(BearingCellsTest, BeamOfAHeadMayPointAside) {
   SonarConfig aside = head(2);
   aside.beam_azimuths = {25 * kDegree};
   const BearingCells cells(aside, with(BeamPattern::kHann));
-  ASSERT_EQ(cells.sonar.beam_azimuths.size(), 40U);
-  EXPECT_NEAR(cells.sonar.beam_edges()[cells.first] / kDegree, 26, 1e-9);
-  EXPECT_NEAR(cells.sonar.beam_edges()[cells.first + 8] / kDegree, 24, 1e-9);
+  ASSERT_EQ(cells.grid.centres.size(), 40U);
+  EXPECT_NEAR(cells.grid.edges()[cells.firsts[0]] / kDegree, 26, 1e-9);
+  EXPECT_NEAR(cells.grid.edges()[cells.firsts[0] + 8] / kDegree, 24, 1e-9);
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ class ClutterTest : public testing::Test {
   static double ahead(int bin) { return std::sqrt(std::pow(one_beam().bin_range(bin), 2) - 9); }
 
   static Clutter clutter_of(std::span<const Material> materials) {
-    const ScattererLattice lattice(one_beam(), 1, 0.002, one_beam().bin_length(), 5);
+    const ScattererLattice lattice(one_beam().bearings(), one_beam(), 1, 0.002, one_beam().bin_length(), 5);
     return {materials, one_beam(), lattice, 5};
   }
 

@@ -35,7 +35,7 @@ ScattererRow row_of(const std::function<double(double range)>& elevation, const 
     filled.surface_energy[bin] = 2;
     filled.elevation_moment[bin] = static_cast<float>(2 * elevation(cells.bin_range(bin)));
   }
-  const ScattererLattice lattice(cells, 1, 0.002, cells.bin_length(), 1);
+  const ScattererLattice lattice(cells.bearings(), cells, 1, 0.002, cells.bin_length(), 1);
   static SpeckleViews views;
   views.set(pose, {});
   ScattererRow row;
@@ -53,7 +53,7 @@ ScattererRow row_within(BinRange bins, double elevation, const Pose& pose) {
     filled.elevation_moment[bin] = static_cast<float>(2 * elevation);
   }
   const SonarConfig cells = one_cell();
-  const ScattererLattice lattice(cells, 1, 0.002, cells.bin_length(), 1);
+  const ScattererLattice lattice(cells.bearings(), cells, 1, 0.002, cells.bin_length(), 1);
   static SpeckleViews views;
   views.set(pose, {});
   ScattererRow row;

@@ -184,9 +184,9 @@ TEST(FocusTest, HeadsLoseBothWays) {
   head.type = SonarType::kMechanicallyScanned;
   head.beam_count = 1;
   head.azimuth_aperture = 1 * kDegree;
-  head.sector_width = 90 * kDegree;
+  head.head.sector_width = 90 * kDegree;
   Scenario scenario = focused(head);
-  scenario.sonars[0].sector_center = 45 * kDegree;  // Begins straight ahead.
+  scenario.sonars[0].head.sector_center = 45 * kDegree;  // Begins straight ahead.
   const std::vector<double> losses = losses_db(scenario, 0, 0);
   for (std::size_t i = 0; i < std::size(kRanges); ++i) {
     EXPECT_NEAR(losses[i], 2 * db(received({kRanges[i], 0, 0}, {1e4, 0, 0})), 0.3) << kRanges[i];

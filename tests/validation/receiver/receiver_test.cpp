@@ -87,7 +87,7 @@ TEST(ArrayPingTest, ScanningHeadIsTwoWay) {
   sonar.azimuth_aperture = 3 * kDegree;
   sonar.min_range = 0;
   sonar.max_range = 25;
-  sonar.step = 0.375 * kDegree;  // An eighth of a beam: the point is in the middle of a cell in every ping.
+  sonar.head.step = 0.375 * kDegree;  // An eighth of a beam: the point is in the middle of a cell in every ping.
   const double first = 0.1875 * kDegree;
   Scenario scenario = calibrated(sonar, kRays);
   scenario.receiver.azimuth_pattern = BeamPattern::kRectangular;
@@ -95,7 +95,7 @@ TEST(ArrayPingTest, ScanningHeadIsTwoWay) {
   Simulator simulator(scenario, {}, 2);
   const double length = 0.8858929413781328 / (2 * std::sin(1.5 * kDegree));  // D / wavelength
   for (int ping = 0; ping < 20; ++ping) {
-    const double x = kPi * length * std::sin(first - ping * sonar.step);
+    const double x = kPi * length * std::sin(first - ping * sonar.head.step);
     const double expected = decibels(std::pow(std::sin(x) / x, 4));
     if (expected > -50) {
       EXPECT_NEAR(total_db(simulator.make_ping(0, ping)) + 40 * std::log10(15.02), expected, 0.05) << ping;

@@ -119,8 +119,8 @@ TEST(SurfaceNoiseTest, HeadsHearItWhereTheyLook) {
   head.type = SonarType::kMechanicallyScanned;
   head.beam_count = 1;
   head.azimuth_aperture = 4 * kDegree;
-  head.mounting = Mounting::kVertical;
-  head.step = 90 * kDegree;
+  head.head.mounting = Mounting::kVertical;
+  head.head.step = 90 * kDegree;
   Scenario scenario = windy(head);
   Simulator simulator(scenario, {}, 1);
   double means[4] = {};

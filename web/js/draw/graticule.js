@@ -23,8 +23,8 @@ const isSmall = (plan) => plan.width < 420;
 function drawRings(context, plan) {
   const { sonar, mode } = plan;
   const whole = mode === "round";
-  const port = whole ? Math.PI : sonar.edges[0];
-  const starboard = whole ? -Math.PI : sonar.edges[sonar.beams];
+  const port = whole ? Math.PI : sonar.ports[0];
+  const starboard = whole ? -Math.PI : sonar.starboards.at(-1);
   const spacing = ringSpacing(sonar.max_range);
   const rings = ticks(spacing, sonar.max_range, spacing);
   const [apexX, apexY] = plan.toScreen(0, 0);
@@ -177,7 +177,7 @@ function drawPolarGrid(context, plan) {
   const labels = [];
   const [, bottom] = plan.toScreen(0, sonar.min_range);
   const [, top] = plan.toScreen(0, sonar.max_range);
-  const [port, starboard] = [sonar.edges[0], sonar.edges[sonar.beams]];
+  const [port, starboard] = [sonar.ports[0], sonar.starboards.at(-1)];
   for (const azimuth of [...radialsOf(plan, port, starboard), ...(port > 0 && starboard < 0 ? [0] : [])]) {
     const [x] = plan.place(sonar.max_range, Math.min(Math.max(azimuth, starboard + 1e-9), port));
     context.beginPath();

@@ -37,8 +37,10 @@ float beam_of(float azimuth) {
   float place = (azimuths.x - azimuth) / (azimuths.x - azimuths.y) * float(textureSize(beam_table, 0).x - 1);
   if (place < 0.0 || place > float(textureSize(beam_table, 0).x - 1)) return -1.0;
   int below = int(place);
-  return mix(texelFetch(beam_table, ivec2(below, 0), 0).r,
-             texelFetch(beam_table, ivec2(min(below + 1, textureSize(beam_table, 0).x - 1), 0), 0).r, fract(place));
+  float here = texelFetch(beam_table, ivec2(below, 0), 0).r;
+  float next = texelFetch(beam_table, ivec2(min(below + 1, textureSize(beam_table, 0).x - 1), 0), 0).r;
+  if (min(here, next) < 0.0) return fract(place) < 0.5 ? here : next;  // At the edge of a gap between beams.
+  return mix(here, next, fract(place));
 }
 
 uint at(int column, int bin) {

@@ -39,7 +39,7 @@ function boundsOf(sonar, mode) {
   const reach = sonar.max_range;
   if (mode === "round") return { left: -reach, right: reach, bottom: -reach, top: reach };
   if (mode === "polar") return { left: 0, right: sonar.beams, bottom: sonar.min_range, top: reach };
-  const [port, starboard] = [sonar.edges[0], sonar.edges[sonar.beams]];
+  const [port, starboard] = [sonar.ports[0], sonar.starboards.at(-1)];
   const across = (azimuth) => Math.sin(Math.min(Math.abs(azimuth), Math.PI / 2)) * Math.sign(azimuth);
   const widest = Math.max(Math.abs(across(port)), Math.abs(across(starboard)), 0.15);  // The apex stays in the middle.
   const back = Math.min(0, Math.cos(Math.max(Math.abs(port), Math.abs(starboard))));
@@ -49,8 +49,8 @@ function boundsOf(sonar, mode) {
 function planePoint(sonar, mode, range, azimuth) {
   if (mode !== "polar") return [-range * Math.sin(azimuth - sonar.up), range * Math.cos(azimuth - sonar.up)];
   const beam = beamAt(sonar, azimuth);
-  if (beam < 0) return [azimuth > 0 ? 0 : sonar.beams, range];
-  const [port, starboard] = [sonar.edges[beam], sonar.edges[beam + 1]];
+  if (beam < 0) return [sonar.ports.filter((port) => port > azimuth).length, range];  // Beside the fan, or in a gap.
+  const [port, starboard] = [sonar.ports[beam], sonar.starboards[beam]];
   return [beam + (port - azimuth) / (port - starboard), range];
 }
 
@@ -62,7 +62,7 @@ export function underPoint(plan, x, y) {
     const beam = Math.floor(u);
     const bin = binAt(sonar, v);
     if (beam < 0 || beam >= sonar.beams || bin < 0) return null;
-    const azimuth = sonar.edges[beam] + (u - beam) * (sonar.edges[beam + 1] - sonar.edges[beam]);
+    const azimuth = sonar.ports[beam] + (u - beam) * (sonar.starboards[beam] - sonar.ports[beam]);
     return { range: v, azimuth, beam, bin };
   }
   const range = Math.hypot(u, v);

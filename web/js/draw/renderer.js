@@ -133,7 +133,7 @@ export class PictureRenderer {
     setLevelUniforms(gl, at, store, sonar.min_range, sonar.binLength * this.group);
     gl.uniform1i(at.mode, kModes[plan.mode]);
     gl.uniform1i(at.smooth_cells, store.get("smooth") ? 1 : 0);
-    gl.uniform2f(at.azimuths, sonar.edges[0], sonar.edges[sonar.beams]);
+    gl.uniform2f(at.azimuths, sonar.ports[0], sonar.starboards.at(-1));
     gl.uniform1f(at.up, sonar.up);
     gl.uniform2i(at.size, sonar.scanning ? kRoundSlots : sonar.beams, this.rows);
     gl.uniform1i(at.overlay, overlay);

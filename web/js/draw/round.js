@@ -20,7 +20,7 @@ export class RoundPicture {
   add(ping) {
     const { sonar } = this;
     // A step of at most three beam widths is drawn as wide as the step, a larger one as wide as the beam.
-    const beam = sonar.edges[0] - sonar.edges[1];
+    const beam = sonar.ports[0] - sonar.starboards[0];
     const step = Math.abs((sonar.step ?? 0) * Math.PI) / 180;
     const width = step > 0 && step <= 3 * beam ? Math.max(step, beam * 0.5) : beam;
     const half = Math.max(width / 2, Math.PI / kRoundSlots);

@@ -26,7 +26,7 @@ function boxTriangles(from, to) {
 
 /** Lines around the insonified sector, and the triangles of its upper and lower face, in the sonar's frame. */
 export function sectorShape(sonar) {
-  const [port, starboard] = [sonar.edges[0], sonar.edges[sonar.beams]];
+  const [port, starboard] = [sonar.ports[0], sonar.starboards.at(-1)];
   const [lower, upper] = [-0.5, 0.5].map((part) => sonar.elevationCentre + part * sonar.elevationAperture);
   const steps = Math.max(2, Math.ceil((port - starboard) / 0.06));
   const azimuth = (i) => port + ((starboard - port) * i) / steps;
@@ -56,11 +56,12 @@ export function crossLines(points, reach) {
 export function fanShape(sonar) {
   const corners = [];
   for (let beam = 0; beam < sonar.beams; ++beam) {
-    const at = (edge, range, u) => {
-      const [x, y] = sonarPoint(range, sonar.edges[edge]);
+    const at = (azimuth, range, u) => {
+      const [x, y] = sonarPoint(range, azimuth);
       return [x, y, u, range === sonar.min_range ? 0 : sonar.bins];
     };
-    const quad = [at(beam, sonar.min_range, beam), at(beam, sonar.max_range, beam), at(beam + 1, sonar.max_range, beam + 0.999), at(beam + 1, sonar.min_range, beam + 0.999)];
+    const [port, starboard] = [sonar.ports[beam], sonar.starboards[beam]];
+    const quad = [at(port, sonar.min_range, beam), at(port, sonar.max_range, beam), at(starboard, sonar.max_range, beam + 0.999), at(starboard, sonar.min_range, beam + 0.999)];
     corners.push(...quad[0], ...quad[1], ...quad[2], ...quad[0], ...quad[2], ...quad[3]);
   }
   return new Float32Array(corners);

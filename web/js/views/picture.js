@@ -154,7 +154,7 @@ export class PictureView {
     const bin = clamp((from?.bin ?? Math.floor(sonar.bins / 2)) + bins, sonar.bins);
     const range = binRange(sonar, bin);
     if (sonar.scanning) {
-      const turn = (from?.azimuth ?? 0) - beams * (sonar.edges[0] - sonar.edges[1]);
+      const turn = (from?.azimuth ?? 0) - beams * (sonar.ports[0] - sonar.starboards[0]);
       const azimuth = Math.atan2(Math.sin(turn), Math.cos(turn));
       this.store.set({ cursor: { range, azimuth, beam: 0, bin, slot: slotAt(azimuth) } });
       return;
