@@ -58,7 +58,7 @@ CompareSource::CompareSource(std::filesystem::path path, const std::string& sona
   const std::filesystem::path ending = path_.extension();
   if (ending == ".png" || ending == ".PNG") {
     picture_ = load_grey_picture(path_);
-  } else if (is_recording(path_)) {
+  } else if (insonify::is_recording(path_)) {
     recording_.emplace(path_, sonar);
   } else {
     throw Error(fmt::format("{}: is neither a recording (.h5, .hdf5, .mcap) nor a picture (.png)", name()));
