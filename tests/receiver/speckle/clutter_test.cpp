@@ -33,7 +33,7 @@ class ClutterTest : public testing::Test {
 
   static Clutter clutter_of(std::span<const Material> materials) {
     const ScattererLattice lattice(one_beam().bearings(), one_beam(), 1, 0.002, one_beam().bin_length(), 5);
-    return {materials, one_beam(), lattice, 5};
+    return {materials, one_beam().bearings(), lattice, 5};
   }
 
   static Clutter patches(double shape, double length) {
