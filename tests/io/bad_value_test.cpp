@@ -52,7 +52,7 @@ const BadScenario kCases[] = {
     {"UnknownType", "world: floor.obj\nsonars:\n  - type: sss\n",
      "scenario.yaml:3:5: sonars[0].type = \"sss\" must be fls or msis"},
     {"UnknownMounting", "world: floor.obj\nsonars:\n  - type: msis\n    mounting: sideways\n",
-     "scenario.yaml:4:5: sonars[0].head.mounting = \"sideways\" must be horizontal or vertical"},
+     "scenario.yaml:4:5: sonars[0].mounting = \"sideways\" must be horizontal or vertical"},
     {"UnknownSigmoid", "world: floor.obj\npaper: {sigmoid: tanh}\nsonars: [{name: fls}]\n",
      "scenario.yaml:2:9: paper.sigmoid = \"tanh\" must be logistic, authors or none"},
     {"UnknownSecondary", "world: floor.obj\nsecondary: some\nsonars: [{name: fls}]\n",

@@ -54,6 +54,8 @@ Scenario everything() {
   sonar.leak_db = -20;
   sonar.transmit_width = 2;
   sonar.element_width = 2;
+  sonar.beam_widths = {0.05};
+  sonar.transmit_elevation_aperture = 0.3;
   sonar.focus_range = 5;
   sonar.sampling = {8, 100};
   sonar.group_gains_db = {0, 1};
