@@ -160,8 +160,8 @@ class ProductView {
 
  private:
   SonarConfig sonar_;
-  Ping last_;                     // Of a sonar whose pings are images.
-  std::optional<ScanView> scan_;  // Of one whose pings are lines.
+  Ping last_;                     // The last ping, for sonars whose pings are images.
+  std::optional<ScanView> scan_;  // The picture so far, for sonars whose pings are lines.
 };
 
 }  // namespace insonify

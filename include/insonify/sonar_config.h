@@ -80,7 +80,7 @@ struct SonarConfig {
   BeamPattern elevation_pattern = BeamPattern::kTopHat;  ///< Across elevations, if
                                                          ///< ReceiverConfig::elevation_pattern is kInstrument. Not
                                                          ///< kInstrument.
-  BeamPattern transmit_elevation_pattern = BeamPattern::kInstrument;  ///< Of the transmitter; kInstrument: the
+  BeamPattern transmit_elevation_pattern = BeamPattern::kInstrument;  ///< Transmit pattern; kInstrument: the
                                                                       ///< receiver's.
   std::optional<double> transmit_elevation_aperture =
       {};                      ///< Height of the transmitter's pattern, as elevation_aperture
@@ -128,7 +128,7 @@ struct SonarConfig {
   Steering steering = Steering::kElectronic;  ///< kElectronic: bearings depend on assumed_sound_speed too. Fans only.
   std::optional<double> ping_period;          ///< Time between pings [s], 2 max_range / c (when absent) to 1e6.
 
-  RotatingScan head;  ///< Of a scanning sonar only.
+  RotatingScan head;  ///< How the head turns; scanning sonars only.
 
   // Pose on the vehicle, or in the world if there is no trajectory.
   Vec3 position = Vec3::Zero();     ///< [m], within 1e7.

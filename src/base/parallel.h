@@ -62,7 +62,7 @@ class Workers {
   std::unique_ptr<Arena> arena_;  // Null for one thread.
   int count_;
   std::unique_ptr<Workers> alone_;  // See alone(); null for one thread.
-  const Workers* many_ = nullptr;   // Of alone_: the workers it stops with.
+  const Workers* many_ = nullptr;   // Set in alone_: the workers it stops with.
   const std::atomic<bool>* stop_asked_ = nullptr;
 };
 

@@ -73,7 +73,7 @@ class DdsInputs {
   // Used by the thread only.
   FrameTree frames_;
   bool placed_ = false;           // Whether transforms connect world and vehicle, or their absence was reported.
-  bool warned_of_frame_ = false;  // Of poses in a frame other than the messages'.
+  bool warned_of_frame_ = false;  // Whether poses in an unexpected frame were reported.
   std::string refusal_;           // Why the last pose was rejected; "" if it was not.
 };
 
