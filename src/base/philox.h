@@ -10,7 +10,7 @@ namespace insonify {
 /// Purpose of a random number; part of the counter or key, so that different purposes use independent streams.
 enum class RandomPurpose : std::uint32_t {
   kPaperNoise = 1,          // receiver/paper_receiver.cpp
-  kSecondarySelection = 2,  // echo/model/ping_plan.cpp: where selection begins
+  kSecondarySelection = 2,  // echo/model/flat_plan.cpp: where selection begins
   kRelief = 3,              // scene/make_relief.cpp: the surface's height
   kNoiseInPhase = 4,        // receiver/calibrated_receiver.cpp, real part
   kNoiseQuadrature = 5,     // ... and imaginary part

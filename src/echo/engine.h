@@ -10,9 +10,9 @@
 #include "base/parallel.h"
 #include "echo/batch/echo_batch.h"
 #include "echo/batch/ping_view.h"
+#include "echo/model/flat_plan.h"
 #include "echo/model/hit.h"
 #include "echo/model/left_out.h"
-#include "echo/model/ping_plan.h"
 #include "insonify/engine.h"
 #include "insonify/scene.h"
 

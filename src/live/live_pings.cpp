@@ -30,6 +30,16 @@ std::vector<MovedInstance> moved_instances(Simulator& simulator, const PingReque
   return moved;
 }
 
+LiveWorld world_of(Scenario scenario, const Scene& scene) {
+  LiveWorld world;
+  world.scenario = std::move(scenario);
+  world.scene = scene;
+  for (const SonarConfig& sonar : world.scenario.sonars) {
+    world.sonars.push_back(world.scenario.filled_in(sonar));
+  }
+  return world;
+}
+
 }  // namespace
 
 // Due time of the next pings.
@@ -71,14 +81,9 @@ void LiveLoop::State::begin_run(LiveStart start, Lock& lock) {
 
 // Makes the world for the following pings and announces it to the listener.
 void LiveLoop::State::announce_world(Lock& lock) {
-  auto next_world = std::make_shared<LiveWorld>();
+  auto next_world = std::make_shared<LiveWorld>(world_of(scenario_from(scenario, run->start()), simulator->scene()));
   next_world->change = world ? world->change + 1 : 0;
-  next_world->scenario = scenario_from(scenario, run->start());
   next_world->trajectory = scenario.trajectory;
-  next_world->scene = simulator->scene();
-  for (const SonarConfig& sonar : next_world->scenario.sonars) {
-    next_world->sonars.push_back(next_world->scenario.filled_in(sonar));
-  }
   world = next_world;
   steps = 1;  // Shows the change even while paused.
   lock.unlock();
@@ -88,52 +93,10 @@ void LiveLoop::State::announce_world(Lock& lock) {
 
 // Applies the prepared change.
 void LiveLoop::State::take_place(Lock& lock) {
-  LivePrepared next = std::move(*prepared);
   const std::vector<LiveChange> changes = std::move(*being_prepared);
   std::string error;
   try {
-    const bool begins_recording = !next.recording.empty();
-    if (begins_recording && recorder) {
-      throw Error(fmt::format("{} is being recorded already", recording_names));
-    }
-    const LiveStart start = next.start.value_or(start_after(next.way, next.place, next.scenario, standing()));
-    (void)LiveRun(scenario_from(next.scenario, start), start);
-    if (begins_recording) {  // Before anything changes.
-      LiveWorld trial;
-      trial.scenario = scenario_from(next.scenario, start);
-      for (const SonarConfig& sonar : trial.scenario.sonars) {
-        trial.sonars.push_back(trial.scenario.filled_in(sonar));
-      }
-      trial.scene = (next.simulator ? *next.simulator : *simulator).scene();
-      recorder = std::make_unique<LiveRecorder>(next.recording, 0, trial, next.replace, options.messages, log());
-      recording_path = next.recording;
-      recording_replaces = next.replace;
-      recording_part = 0;
-    }
-    const bool goes_on_recording = recorder && !begins_recording;
-    if (goes_on_recording) {
-      end_recording(lock);
-    }
-    if (next.simulator) {
-      simulator = std::move(next.simulator);
-      simulator->stop_when(&ending);
-      simulated_objects = std::move(next.objects);
-      objects_changed = true;  // They may have changed since the preparation.
-    }
-    for (std::size_t i = 0; i < next.sonars.size(); ++i) {
-      simulator->set_sonar(static_cast<int>(i), std::move(next.sonars[i]));
-    }
-    settings = std::move(next.settings);
-    scenario = std::move(next.scenario);
-    if (!start.follows && run->start().follows && next.way == LiveWay::kPlaced) {
-      velocity = {};
-    }
-    begin_run(start, lock);
-    if (goes_on_recording) {
-      begin_next_recording(lock);
-    }
-    recording_names = recorder ? recorder->names() : "";
-    recorded_pings = 0;
+    apply(std::move(*prepared), lock);
   } catch (const std::exception& failure) {
     error = failure.what();
   }
@@ -149,6 +112,115 @@ void LiveLoop::State::take_place(Lock& lock) {
   lock.lock();
 }
 
+void LiveLoop::State::apply(LivePrepared next, Lock& lock) {
+  const bool begins_recording = !next.recording.empty();
+  if (begins_recording && recorder) {
+    throw Error(fmt::format("{} is being recorded already", recording_names));
+  }
+  const LiveStart start = next.start.value_or(start_after(next.way, next.place, next.scenario, standing()));
+  (void)LiveRun(scenario_from(next.scenario, start), start);
+  if (begins_recording) {  // Before anything changes.
+    const Scene& scene = (next.simulator ? *next.simulator : *simulator).scene();
+    const LiveWorld trial = world_of(scenario_from(next.scenario, start), scene);
+    recorder = std::make_unique<LiveRecorder>(next.recording, 0, trial, next.replace, options.messages, log());
+    recording_path = next.recording;
+    recording_replaces = next.replace;
+    recording_part = 0;
+  }
+  const bool goes_on_recording = recorder && !begins_recording;
+  if (goes_on_recording) {
+    end_recording(lock);
+  }
+  if (next.simulator) {
+    simulator = std::move(next.simulator);
+    simulator->stop_when(&ending);
+    simulated_objects = std::move(next.objects);
+    objects_changed = true;  // They may have changed since the preparation.
+  }
+  for (std::size_t i = 0; i < next.sonars.size(); ++i) {
+    simulator->set_sonar(static_cast<int>(i), std::move(next.sonars[i]));
+  }
+  settings = std::move(next.settings);
+  scenario = std::move(next.scenario);
+  if (!start.follows && run->start().follows && next.way == LiveWay::kPlaced) {
+    velocity = {};
+  }
+  begin_run(start, lock);
+  if (goes_on_recording) {
+    begin_next_recording(lock);
+  }
+  recording_names = recorder ? recorder->names() : "";
+  recorded_pings = 0;
+}
+
+// The request of a sonar's next ping, with what other programs have sent.
+PingRequest LiveLoop::State::next_request(int sonar) const {
+  PingRequest request;
+  run->fill(sonar, request);
+  if (!drive) {
+    return request;
+  }
+  request.twist = drive->twist;
+  std::ranges::copy_if(drive->moved, std::back_inserter(request.moved), [&](const MovedObject& moved) {
+    return !options.followed || moved.instance >= 0 || simulated_names.contains(moved.name);
+  });
+  for (const CarriedSonar& carried : drive->carried) {
+    if (carried.sonar == scenario.sonars[static_cast<std::size_t>(sonar)].name) {
+      request.world_from_vehicle = carried.world_from_carrier;
+      request.twist = carried.twist;
+    }
+  }
+  return request;
+}
+
+// Makes one ping and passes it to the listener. Without the lock.
+std::shared_ptr<LivePing> LiveLoop::State::make_one(int sonar, const PingRequest& request, const Stamps& stamps) {
+  const Clock::time_point start = Clock::now();
+  std::shared_ptr<LivePing> ping = pool.take();
+  simulator->ping(sonar, request, ping->ping);
+  ping->world = stamps.world;
+  ping->sonar = sonar;
+  ping->world_from_vehicle = request.world_from_vehicle;
+  ping->moved = moved_instances(*simulator, request);
+  ping->computing_time = std::chrono::duration<double>(Clock::now() - start).count();
+  ping->made_at = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+  ping->stamp = stamps.stamp;
+  ping->received_at = stamps.received_at;
+  ping->clock = stamps.clock;
+  listener->on_ping(ping);
+  for (const std::string& text : solids.entered(*simulator, sonar, request)) {
+    note(text);
+  }
+  return ping;
+}
+
+// Makes the pings that are due and records them.
+LiveLoop::State::Made LiveLoop::State::make_all(std::span<const int> sonars, std::span<const PingRequest> requests,
+                                                const Stamps& stamps) {
+  Made made;
+  std::vector<std::shared_ptr<LivePing>> pings;
+  try {
+    for (std::size_t i = 0; i < sonars.size(); ++i) {
+      pings.push_back(make_one(sonars[i], requests[i], stamps));
+    }
+  } catch (const Interrupted&) {
+    made.interrupted = true;
+    return made;
+  } catch (const std::exception& failure) {
+    made.error = failure.what();
+    note("paused: " + made.error);
+    return made;
+  }
+  try {
+    for (std::size_t i = 0; recorder && i < pings.size(); ++i) {
+      recorder->add(*pings[i]);
+    }
+  } catch (const std::exception& failure) {
+    made.not_recorded = failure.what();
+  }
+  return made;
+}
+
 // Makes the next pings of all sonars due. They count once all are made.
 void LiveLoop::State::make_next(Lock& lock) {
   const Clock::time_point due = paused ? Clock::now() : next_due();
@@ -161,80 +233,30 @@ void LiveLoop::State::make_next(Lock& lock) {
     obstacle = run->fly_to_next(velocity);
     velocity = obstacle.empty() ? velocity : LiveVelocity();
   }
-  const double time = run->next_time();
   const std::vector<int> sonars = run->next_sonars();
-  std::vector<PingRequest> requests(sonars.size());
-  for (std::size_t i = 0; i < sonars.size(); ++i) {
-    run->fill(sonars[i], requests[i]);
-    if (drive) {
-      requests[i].twist = drive->twist;
-      const auto is_there = [&](const MovedObject& moved) {
-        return !options.followed || moved.instance >= 0 || simulated_names.contains(moved.name);
-      };
-      std::ranges::copy_if(drive->moved, std::back_inserter(requests[i].moved), is_there);
-      for (const CarriedSonar& carried : drive->carried) {
-        if (carried.sonar == scenario.sonars[static_cast<std::size_t>(sonars[i])].name) {
-          requests[i].world_from_vehicle = carried.world_from_carrier;
-          requests[i].twist = carried.twist;
-        }
-      }
-    }
+  std::vector<PingRequest> requests;
+  for (const int sonar : sonars) {
+    requests.push_back(next_request(sonar));
   }
-  const double stamp = drive ? drive->stamp : 0, received_at = drive_received_at, clock_now = clock.value_or(0);
+  const Stamps stamps{world, drive ? drive->stamp : 0, drive_received_at, clock.value_or(0)};
   keep_clock();
-  keep_pace(due, time, sonars);
-  const std::shared_ptr<const LiveWorld> of_world = world;
+  keep_pace(due, run->next_time(), sonars);
   lock.unlock();
   if (run->made_in_all() == 0) {
     solids.forget();
   }
-  std::vector<std::shared_ptr<LivePing>> pings;
-  std::string error;
-  try {
-    if (!obstacle.empty()) {
-      note("the vehicle stops: " + obstacle);
-    }
-    for (std::size_t i = 0; i < sonars.size(); ++i) {
-      const Clock::time_point start = Clock::now();
-      const std::shared_ptr<LivePing> ping = pool.take();
-      simulator->ping(sonars[i], requests[i], ping->ping);
-      ping->world = of_world;
-      ping->sonar = sonars[i];
-      ping->world_from_vehicle = requests[i].world_from_vehicle;
-      ping->moved = moved_instances(*simulator, requests[i]);
-      ping->computing_time = std::chrono::duration<double>(Clock::now() - start).count();
-      ping->made_at = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-      ping->stamp = stamp;
-      ping->received_at = received_at;
-      ping->clock = clock_now;
-      listener->on_ping(ping);
-      for (const std::string& text : solids.entered(*simulator, sonars[i], requests[i])) {
-        note(text);
-      }
-      pings.push_back(ping);
-    }
-  } catch (const Interrupted&) {
-    lock.lock();
-    return;
-  } catch (const std::exception& failure) {
-    error = failure.what();
-    note("paused: " + error);
+  if (!obstacle.empty()) {
+    note("the vehicle stops: " + obstacle);
   }
-  std::string not_recorded;
-  if (error.empty() && recorder) {
-    try {
-      for (const std::shared_ptr<LivePing>& ping : pings) {
-        recorder->add(*ping);
-      }
-    } catch (const std::exception& failure) {
-      not_recorded = failure.what();
-    }
-  }
+  const Made made = make_all(sonars, requests, stamps);
   lock.lock();
-  if (!not_recorded.empty()) {
-    fail_recording(not_recorded, lock);
+  if (made.interrupted) {
+    return;
   }
-  if (!error.empty()) {
+  if (!made.not_recorded.empty()) {
+    fail_recording(made.not_recorded, lock);
+  }
+  if (!made.error.empty()) {
     paused = true;
     steps = 0;
     return;

@@ -95,9 +95,21 @@ struct LiveLoop::State {
   void take_objects(Lock& lock);
 
   // live_pings.cpp: the thread that makes pings.
+  struct Stamps {  // What pings that are made together carry.
+    std::shared_ptr<const LiveWorld> world;
+    double stamp, received_at, clock;  // LivePing's.
+  };
+  struct Made {  // Errors, "": none.
+    bool interrupted = false;
+    std::string error, not_recorded;
+  };
   void make_pings();
   void make_next(Lock& lock);
+  [[nodiscard]] PingRequest next_request(int sonar) const;
+  Made make_all(std::span<const int> sonars, std::span<const PingRequest> requests, const Stamps& stamps);
+  std::shared_ptr<LivePing> make_one(int sonar, const PingRequest& request, const Stamps& stamps);
   void take_place(Lock& lock);
+  void apply(LivePrepared next, Lock& lock);
   void begin_run(LiveStart start, Lock& lock);
   void announce_world(Lock& lock);
   void begin_next_recording(Lock& lock);

@@ -86,6 +86,11 @@ class CalibratedReceiver {
     ScattererRow scatterers;
   };
 
+  struct SetUp;  // calibrated_receiver_setup.cpp
+  void set_up_array(SetUp& parts);
+  void set_up_noise(const SetUp& parts);
+  void set_up_speckle(const SetUp& parts);
+
   void move(const EchoGrid& grid, const PingMotion& motion, Workers& workers);
   // Interval of bins of a cell that can be non-zero, before and after the convolution with the pulse.
   [[nodiscard]] BinRange filled_bins(const EchoGrid& grid, int cell) const;

@@ -50,6 +50,33 @@ std::vector<float> volume_of(const SonarConfig& sonar, const Water& water, doubl
 
 }  // namespace
 
+// What several of the parts are set up from.
+struct CalibratedReceiver::SetUp {
+  explicit SetUp(const Settings& settings)
+      : of(settings),
+        true_speed(settings.water.true_sound_speed()),
+        shown_speed(settings.sonar.assumed_sound_speed.value_or(true_speed)),
+        range_scale(true_speed / shown_speed),
+        wavelength(true_speed / settings.sonar.frequency),
+        absorption_db_per_m(settings.water.absorption_db_per_m_at(settings.sonar.frequency)),
+        transmitted(settings.sonar.transmitted(settings.receiver)),
+        has_pulse(transmitted.kind != PulseKind::kNone),
+        pulse(transmitted, shown_speed, settings.sonar.bin_length()),
+        beam_sines(settings.sonar.bearings().sines()) {}
+
+  const Settings& of;
+  double true_speed, shown_speed;  // [m/s]
+  double range_scale;              // True ranges per range shown.
+  double wavelength, absorption_db_per_m;
+  PulseSettings transmitted;
+  bool has_pulse;
+  Pulse pulse;
+  std::vector<double> beam_sines;
+  std::optional<ArrayPattern> perfect;  // Array without faults, one way: receives isotropic noise.
+  std::optional<ArrayPattern> hearing;  // Array with its faults, one way: receives sound from one direction.
+  double length = 0;                    // Of the array [wavelengths].
+};
+
 CalibratedReceiver::CalibratedReceiver(const Settings& settings)
     : beams_(settings.sonar.beam_count),
       bins_(settings.sonar.bin_count),
@@ -66,91 +93,33 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
   assert(cell_angle_.size() == static_cast<std::size_t>(cells_));
   const SonarConfig& sonar = settings.sonar;
   const ReceiverConfig& receiver = settings.receiver;
-  const BearingCells& cells = settings.cells;
-  const double true_speed = settings.water.true_sound_speed();
-  const double shown_speed = sonar.assumed_sound_speed.value_or(true_speed);
-  const double range_scale = true_speed / shown_speed, wavelength = true_speed / sonar.frequency;
-  gain_ = gain_of(sonar, receiver, settings.water.absorption_db_per_m_at(sonar.frequency));
-  volume_ = volume_of(sonar, settings.water, range_scale);
-  const PulseSettings transmitted = sonar.transmitted(receiver);
-  const Pulse pulse(transmitted, shown_speed, sonar.bin_length());
-  if (transmitted.kind != PulseKind::kNone) {
-    range_.emplace(pulse, sonar.bin_length());
-    coarse_.emplace(pulse, sonar.bin_length(), *range_, receiver.decimation);
+  SetUp parts(settings);
+  gain_ = gain_of(sonar, receiver, parts.absorption_db_per_m);
+  volume_ = volume_of(sonar, settings.water, parts.range_scale);
+  if (parts.has_pulse) {
+    range_.emplace(parts.pulse, sonar.bin_length());
+    coarse_.emplace(parts.pulse, sonar.bin_length(), *range_, receiver.decimation);
     keeps_looks_ = coarse_->has_looks() && (receiver.speckle || receiver.noise);
   }
-  const std::vector<double> beam_sines = sonar.bearings().sines();
-  std::optional<ArrayPattern> perfect;  // Array without faults, one way: receives isotropic noise.
-  std::optional<ArrayPattern> hearing;  // Array with its faults, one way: receives sound from one direction.
-  double length = 0;                    // [wavelengths]
   if (receiver.azimuth_pattern != BeamPattern::kTopHat) {
-    const ArrayPattern array(azimuth_array(receiver, sonar), seed_);
-    perfect.emplace(receiving_array(receiver, sonar));
-    ArraySettings one_way = azimuth_array(receiver, sonar);
-    one_way.two_way = false;
-    hearing.emplace(one_way, seed_);
-    length = array.length(wavelength, beam_width(sonar)) / wavelength;
-    bearing_.emplace(array, length, cells.grid.sines(), beam_sines, BearingResponse::kFloorDb,
-                     BearingResponse::Extras{.cell_edges = cells.edge_sines,
-                                             .element = FanPattern(sonar.element_width),
-                                             .zones = focus_zones(sonar, length, wavelength, range_scale)});
-  }
-  if (receiver.noise) {
-    ReceiverConfig isotropic = receiver;
-    if (receiver.surface_noise && (receiver.wind_noise || receiver.rain_noise.value_or(0) > 0)) {
-      isotropic.wind_noise.reset();
-      isotropic.rain_noise.reset();
-      surface_noise_.emplace(sonar, receiver, settings.water.depth,
-                             settings.water.absorption_db_per_m_at(sonar.frequency),
-                             receive_bearing_width(sonar, receiver));
-      surface_noise_level_ =
-          noise_intensity(sonar, pulse, weather_spectrum_db(receiver, sonar.frequency), 4 * std::numbers::pi);
-      surface_shares_.resize(static_cast<std::size_t>(beams_));
-    }
-    isotropic_noise_ = static_cast<float>(noise_intensity(sonar, isotropic, pulse));
-    noise_deviation_.assign(static_cast<std::size_t>(beams_), std::sqrt(0.5F * isotropic_noise_));
-    noise_.emplace(NoiseField::Settings{.beams = beams_,
-                                        .bins = bins_,
-                                        .pulse = pulse,
-                                        .bin_length = sonar.bin_length(),
-                                        .array = perfect ? &*perfect : nullptr,
-                                        .length = length,
-                                        .beam_sines = beam_sines,
-                                        .seed = seed_});
-  }
-  if (noise_ && !settings.thrusters.empty()) {
-    const bool has_pulse = transmitted.kind != PulseKind::kNone;
-    thrusters_.emplace(ThrusterNoise::Settings{.thrusters = settings.thrusters,
-                                               .sonar = sonar,
-                                               .receiver = receiver,
-                                               .water = settings.water,
-                                               .pulse = pulse,
-                                               .duration = has_pulse ? transmitted.duration : 0,
-                                               .shown_speed = shown_speed,
-                                               .array = hearing ? &*hearing : nullptr,
-                                               .length = length,
-                                               .wavelength = wavelength,
-                                               .seed = seed_});
+    set_up_array(parts);
   }
   noise_deviation_.resize(static_cast<std::size_t>(beams_));
+  if (receiver.noise) {
+    set_up_noise(parts);
+  }
   if (ReceiverChannels::differ_in(sonar)) {
     channels_.emplace(sonar);
   }
   if (TransmitLeak::is_in(sonar)) {
-    leak_.emplace(sonar, receiver, shown_speed, seed_);
+    leak_.emplace(sonar, receiver, parts.shown_speed, seed_);
   }
   if (settings.moves) {
-    const double bias = pulse.doppler_bias(doppler_shift(1, sonar.frequency, true_speed));
-    shift_.emplace(cells, sonar, range_scale, true_speed, bias, bearing_.has_value());
+    const double bias = parts.pulse.doppler_bias(doppler_shift(1, sonar.frequency, parts.true_speed));
+    shift_.emplace(settings.cells, sonar, parts.range_scale, parts.true_speed, bias, bearing_.has_value());
   }
   if (receiver.speckle) {
-    const double window = std::min(sonar.bin_length(), pulse.equivalent_length());  // One look.
-    lattice_.emplace(cells.grid, sonar, range_scale, wavelength, range_scale * window, seed_);
-    CarrierSpread spread = carrier_spread(pulse, sonar.bin_length(), window);
-    spread.length *= range_scale;
-    speckle_.emplace(*lattice_, range_ ? &*range_ : nullptr, spread);
-    sparse_.emplace(settings.materials, cells.grid, *lattice_);
-    clutter_.emplace(settings.materials, cells.grid, *lattice_, seed_);
+    set_up_speckle(parts);
   }
   if (receiver.counts) {
     digitizer_.emplace(sonar, receiver.full_scale_db.value_or(0), receiver.full_scale_share);
@@ -159,6 +128,73 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
   if (bearing_) {
     of_beams_ = Signals(static_cast<std::size_t>(beams_) * bins_, receiver.speckle, keeps_looks_);
   }
+}
+
+void CalibratedReceiver::set_up_array(SetUp& parts) {
+  const SonarConfig& sonar = parts.of.sonar;
+  const ReceiverConfig& receiver = parts.of.receiver;
+  const BearingCells& cells = parts.of.cells;
+  const ArrayPattern array(azimuth_array(receiver, sonar), seed_);
+  parts.perfect.emplace(receiving_array(receiver, sonar));
+  ArraySettings one_way = azimuth_array(receiver, sonar);
+  one_way.two_way = false;
+  parts.hearing.emplace(one_way, seed_);
+  parts.length = array.length(parts.wavelength, beam_width(sonar)) / parts.wavelength;
+  bearing_.emplace(
+      array, parts.length, cells.grid.sines(), parts.beam_sines, BearingResponse::kFloorDb,
+      BearingResponse::Extras{.cell_edges = cells.edge_sines,
+                              .element = FanPattern(sonar.element_width),
+                              .zones = focus_zones(sonar, parts.length, parts.wavelength, parts.range_scale)});
+}
+
+void CalibratedReceiver::set_up_noise(const SetUp& parts) {
+  const SonarConfig& sonar = parts.of.sonar;
+  const ReceiverConfig& receiver = parts.of.receiver;
+  ReceiverConfig isotropic = receiver;
+  if (receiver.surface_noise && (receiver.wind_noise || receiver.rain_noise.value_or(0) > 0)) {
+    isotropic.wind_noise.reset();
+    isotropic.rain_noise.reset();
+    surface_noise_.emplace(sonar, receiver, parts.of.water.depth, parts.absorption_db_per_m,
+                           receive_bearing_width(sonar, receiver));
+    surface_noise_level_ =
+        noise_intensity(sonar, parts.pulse, weather_spectrum_db(receiver, sonar.frequency), 4 * std::numbers::pi);
+    surface_shares_.resize(static_cast<std::size_t>(beams_));
+  }
+  isotropic_noise_ = static_cast<float>(noise_intensity(sonar, isotropic, parts.pulse));
+  noise_deviation_.assign(static_cast<std::size_t>(beams_), std::sqrt(0.5F * isotropic_noise_));
+  noise_.emplace(NoiseField::Settings{.beams = beams_,
+                                      .bins = bins_,
+                                      .pulse = parts.pulse,
+                                      .bin_length = sonar.bin_length(),
+                                      .array = parts.perfect ? &*parts.perfect : nullptr,
+                                      .length = parts.length,
+                                      .beam_sines = parts.beam_sines,
+                                      .seed = seed_});
+  if (!parts.of.thrusters.empty()) {
+    thrusters_.emplace(ThrusterNoise::Settings{.thrusters = parts.of.thrusters,
+                                               .sonar = sonar,
+                                               .receiver = receiver,
+                                               .water = parts.of.water,
+                                               .pulse = parts.pulse,
+                                               .duration = parts.has_pulse ? parts.transmitted.duration : 0,
+                                               .shown_speed = parts.shown_speed,
+                                               .array = parts.hearing ? &*parts.hearing : nullptr,
+                                               .length = parts.length,
+                                               .wavelength = parts.wavelength,
+                                               .seed = seed_});
+  }
+}
+
+void CalibratedReceiver::set_up_speckle(const SetUp& parts) {
+  const SonarConfig& sonar = parts.of.sonar;
+  const BearingGrid& grid = parts.of.cells.grid;
+  const double window = std::min(sonar.bin_length(), parts.pulse.equivalent_length());  // One look.
+  lattice_.emplace(grid, sonar, parts.range_scale, parts.wavelength, parts.range_scale * window, seed_);
+  CarrierSpread spread = carrier_spread(parts.pulse, sonar.bin_length(), window);
+  spread.length *= parts.range_scale;
+  speckle_.emplace(*lattice_, range_ ? &*range_ : nullptr, spread);
+  sparse_.emplace(parts.of.materials, grid, *lattice_);
+  clutter_.emplace(parts.of.materials, grid, *lattice_, seed_);
 }
 
 }  // namespace insonify

@@ -103,7 +103,7 @@ void MutualInterference::ask(const PingView& view, Workers&, RayList& rays) {
 }
 
 void MutualInterference::answer(const PingView& view, const RayAnswers& hits, Workers&, RayList&, EchoList& found) {
-  const PingPlan& plan = *view.plan;
+  const FlatPlan& plan = *view.plan;
   const double sound_speed = 2 * plan.frequency / plan.turns_per_metre;
   const double listening = 2 * double{plan.true_max_range} / sound_speed;
   for (std::size_t i = 0; i < hits.sights.size(); ++i) {
@@ -113,7 +113,7 @@ void MutualInterference::answer(const PingView& view, const RayAnswers& hits, Wo
     const auto& [index, beam, range, direction] = near_[i];
     const SendingSonar& sender = senders_[index];
     const Vec3 there = view.world_from_vehicle * sender.place() - view.world_from_sonar.position;
-    const PingPlan::Arrival arrival = plan.arrival_from(direction);
+    const FlatPlan::Arrival arrival = plan.arrival_from(direction);
     const Vec3 towards = view.world_from_vehicle.orientation.inverse() * -there / range;
     const double arriving = std::pow(10.0, (sender.source_level_db() - plan.source_level_db) / 10) *
                             sender.share_within(senders_[own_]) * double{arrival.received} / (range * range) *

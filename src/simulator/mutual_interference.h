@@ -46,7 +46,7 @@ class SendingSonar {
   double duration_ = 0, bandwidth_ = 0;
   BearingGrid beams_;
   PatternAxis sent_axis_;
-  std::vector<float> sent_across_;  // Across elevations, see PingPlan; empty for a top hat.
+  std::vector<float> sent_across_;  // Across elevations, see FlatPlan; empty for a top hat.
   FanPattern transmitter_;
   std::optional<ArrayPattern> array_;  // One-way pattern of an array that transmits.
   double array_length_ = 0;            // [wavelengths]

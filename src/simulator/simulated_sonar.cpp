@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/name_hash.h"
-#include "echo/model/ping_plan.h"
+#include "echo/model/flat_plan.h"
 #include "insonify/error.h"
 #include "receiver/array/line_array.h"
 #include "receiver/array/steering.h"
@@ -72,7 +72,7 @@ std::vector<float> array_gains(const ReceiverConfig& receiver, const SonarConfig
   return gains;
 }
 
-std::vector<float> cell_angles(const PingPlan& plan) {
+std::vector<float> cell_angles(const FlatPlan& plan) {
   std::vector<float> angles;
   angles.reserve(plan.beam_count);
   for (int cell = 0; cell < plan.beam_count; ++cell) {
@@ -128,7 +128,7 @@ SimulatedSonar::SimulatedSonar(const Scenario& scenario, const SonarConfig& sona
       cells(steered, receiver_of(scenario, config)) {
   const ReceiverConfig beams = receiver_of(scenario, config);
   const bool calibrated = scenario.model == EchoModel::kCalibrated;
-  plan = make_ping_plan({.sonar = steered,
+  plan = make_flat_plan({.sonar = steered,
                          .cells = cells.grid,
                          .columns_per_cell = cells.columns,
                          .water = scenario.water_at(config),

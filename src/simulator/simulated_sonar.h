@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "echo/batch/source_set.h"
-#include "echo/model/ping_plan.h"
+#include "echo/model/flat_plan.h"
 #include "echo/walks/random_walks.h"
 #include "insonify/ping_request.h"
 #include "insonify/scenario.h"
@@ -44,7 +44,7 @@ struct SimulatedSonar {
   Pose vehicle_from_housing;
   SonarConfig steered;  ///< With the beams' true bearings.
   BearingCells cells;
-  std::shared_ptr<const PingPlan> plan;
+  std::shared_ptr<const FlatPlan> plan;
   GridLayers layers;
   std::optional<RandomWalks::Settings> walks;                  ///< Where the scenario has random_walks.
   std::vector<std::unique_ptr<SourceSet>> sources;             ///< For each view of a batch.

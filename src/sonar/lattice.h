@@ -102,7 +102,7 @@ struct Lattice : LatticeNumbers {
   [[nodiscard]] bool touches_next(int column) const { return touching[column] != 0; }
   std::vector<std::uint32_t> touching;  // [column]
 
-  /// See PingPlan::visit_parts().
+  /// See FlatPlan::visit_parts().
   template <typename Self, typename Numbers, typename Table>
   static void visit_parts(Self& self, const Numbers& numbers, const Table& table) {
     numbers(static_cast<std::conditional_t<std::is_const_v<Self>, const LatticeNumbers&, LatticeNumbers&>>(self));

@@ -14,14 +14,14 @@ constexpr float kShareError =
     1e-4F;  // FootprintSegments are a ten-thousandth of a bin longer: see least_half_length().
 
 // A plan of two beams.
-std::shared_ptr<const PingPlan> plan_of(int bins) {
-  PingPlanSettings settings;
+std::shared_ptr<const FlatPlan> plan_of(int bins) {
+  FlatPlanSettings settings;
   settings.sonar.beam_count = 2;
   settings.sonar.bin_count = bins;
   settings.sonar.max_range = 4 + bins;
   settings.sonar.sampling.columns_per_beam = 1;
   settings.sonar.sampling.rows = 2;
-  return make_ping_plan(settings);
+  return make_flat_plan(settings);
 }
 
 // Share of the interval low..high [bins] that lies in a bin.

@@ -358,10 +358,10 @@ constexpr double kSigmoidError = 2e-6;
 
 TEST(EchoLawsTest, VectorLoopsHaveThePaperStrengths) {
   for (const PaperModel& model : all_sigmoids()) {
-    PingPlanSettings settings{.paper = model};
+    FlatPlanSettings settings{.paper = model};
     settings.sonar.beam_count = 1;
     settings.sonar.sampling = {.columns_per_beam = 1, .rows = 200};
-    const auto plan = make_ping_plan(settings);
+    const auto plan = make_flat_plan(settings);
     HitStrip strip(1, 200);
     HitColumn hits = strip.column(0);
     hits.rows = 200;

@@ -14,7 +14,7 @@ namespace {
 constexpr int kRows = 150;  // More than are computed together.
 
 struct Column {
-  explicit Column(const PingPlan& plan) : strip(1, plan.lattice.rows), hits(strip.column(0)) {
+  explicit Column(const FlatPlan& plan) : strip(1, plan.lattice.rows), hits(strip.column(0)) {
     hits.rows = kRows;
     for (int row = 0; row < kRows; ++row) {
       hits.surface[row] = surface_label(0, 0);
@@ -30,13 +30,13 @@ struct Column {
   HitColumn hits;
 };
 
-std::shared_ptr<const PingPlan> plan_of(const Material& material) {
+std::shared_ptr<const FlatPlan> plan_of(const Material& material) {
   SonarConfig sonar;
   sonar.beam_count = 1;
   sonar.max_range = 40;
   sonar.frequency = 300e3;
   sonar.sampling = {1, 160};
-  return make_ping_plan({.sonar = sonar, .model = EchoModel::kCalibrated, .materials = {&material, 1}});
+  return make_flat_plan({.sonar = sonar, .model = EchoModel::kCalibrated, .materials = {&material, 1}});
 }
 
 Material smooth_metal() {

@@ -22,7 +22,7 @@ struct Met {
 };
 class FourColumns {
  public:
-  FourColumns(const PingPlan& plan, int first, const std::function<Met(const Vec3&)>& meet)
+  FourColumns(const FlatPlan& plan, int first, const std::function<Met(const Vec3&)>& meet)
       : plan_(plan), first_(first), strip_(4, plan.lattice.rows) {
     for (int i = 0; i < 4; ++i) {
       hits_[i] = strip_.column(i);
@@ -53,19 +53,19 @@ class FourColumns {
   }
 
  private:
-  const PingPlan& plan_;
+  const FlatPlan& plan_;
   int first_;
   HitStrip strip_;
   HitColumn hits_[4] = {};
 };
 
-std::shared_ptr<const PingPlan> plan_of(BeamShape shape = BeamShape::kWedge) {
-  PingPlanSettings settings{.model = EchoModel::kCalibrated, .beam_shape = shape};
+std::shared_ptr<const FlatPlan> plan_of(BeamShape shape = BeamShape::kWedge) {
+  FlatPlanSettings settings{.model = EchoModel::kCalibrated, .beam_shape = shape};
   settings.sonar.beam_count = 8;
   settings.sonar.azimuth_aperture = 4 * std::numbers::pi / 180;    // 0.125 degrees a column.
   settings.sonar.elevation_aperture = 5 * std::numbers::pi / 180;  // 0.1 degrees a row.
   settings.sonar.sampling = {.columns_per_beam = 4, .rows = 50};
-  return make_ping_plan(settings);
+  return make_flat_plan(settings);
 }
 
 // A ball of radius a = 3 m at 20 m. Near its front, 17 m away, the normal turns by 17 / 3 of the change of direction.

@@ -113,7 +113,7 @@ TEST_P(EngineAgreementTest, HitsTheSurfacesThatTheReferenceHits) {
 TEST_P(EngineAgreementTest, GivesTheEchoesOfTheReference) {
   for (int seed = 0; seed < kScenes; ++seed) {
     const RandomScene random(seed);
-    const PingPlanSettings settings{.sonar = random.sonar,
+    const FlatPlanSettings settings{.sonar = random.sonar,
                                     .secondary = seed % 2 == 0 ? SecondaryEchoes::kAll : SecondaryEchoes::kSelective,
                                     .seed = static_cast<std::uint64_t>(seed)};
     const EchoGrid echoes = echoes_of(GetParam(), random.scene, settings, random.pose);
@@ -126,7 +126,7 @@ TEST_P(EngineAgreementTest, GivesTheEchoesOfTheReference) {
 TEST_P(EngineAgreementTest, GivesTheCalibratedEchoesOfTheReference) {
   for (int seed = 0; seed < kScenes; ++seed) {
     const RandomScene random(seed);
-    const PingPlanSettings settings{.sonar = random.sonar,
+    const FlatPlanSettings settings{.sonar = random.sonar,
                                     .model = EchoModel::kCalibrated,
                                     .materials = random.scene.materials,
                                     .beam_shape = seed % 4 < 2 ? BeamShape::kWedge : BeamShape::kCone,
@@ -151,7 +151,7 @@ TEST_P(EngineAgreementTest, SeesThroughSurfacesAsTheReferenceDoes) {
       material.open_share = i % 3 == 0 ? 0.7 : 0;
       material.thickness = i % 3 == 1 ? std::optional(2e-4) : std::nullopt;
     }
-    const PingPlanSettings settings{.sonar = random.sonar,
+    const FlatPlanSettings settings{.sonar = random.sonar,
                                     .model = EchoModel::kCalibrated,
                                     .materials = random.scene.materials,
                                     .beam_shape = seed % 4 < 2 ? BeamShape::kWedge : BeamShape::kCone,
@@ -168,7 +168,7 @@ TEST_P(EngineAgreementTest, SeesThroughSurfacesAsTheReferenceDoes) {
 TEST_P(EngineAgreementTest, MovesInstancesAsTheReferenceDoes) {
   for (int seed = 0; seed < 20; ++seed) {
     const RandomScene random(seed);
-    const PingPlanSettings settings{.sonar = random.sonar,
+    const FlatPlanSettings settings{.sonar = random.sonar,
                                     .secondary = seed % 2 == 0 ? SecondaryEchoes::kAll : SecondaryEchoes::kSelective};
     const auto tested = test_engine(GetParam(), 2);
     const auto reference = test_engine("reference", 2);
@@ -197,7 +197,7 @@ TEST(CpuEngineTest, ReturnLegsAmongMovingInstancesEndWhateverTheStackHolds) {
   ASSERT_TRUE(std::ranges::any_of(random.scene.instances, &Instance::moving));
   const auto engine = test_engine("cpu", 1);
   engine->set_scene(random.scene);
-  const PingPlanSettings settings{.sonar = random.sonar, .secondary = SecondaryEchoes::kAll};
+  const FlatPlanSettings settings{.sonar = random.sonar, .secondary = SecondaryEchoes::kAll};
   fill_stack();
   echoes_of(*engine, settings, random.pose);
   EXPECT_GT(engine->ray_counts().return_legs, 0U);
@@ -206,7 +206,7 @@ TEST(CpuEngineTest, ReturnLegsAmongMovingInstancesEndWhateverTheStackHolds) {
 TEST(RasterAgreementTest, RasterAndRaysGiveTheSameEchoes) {
   for (int seed = 0; seed < kScenes; ++seed) {
     const RandomScene random(seed);
-    PingPlanSettings settings{.sonar = random.sonar, .secondary = SecondaryEchoes::kNone};
+    FlatPlanSettings settings{.sonar = random.sonar, .secondary = SecondaryEchoes::kNone};
     if (seed % 4 == 3) {
       settings.sonar.azimuth_aperture = radians_from_degrees(360);  // Triangles behind the sonar and around it.
     }
@@ -238,7 +238,7 @@ TEST(RasterAgreementTest, RoughMirrorsAreTheSameRasterisedOrTraced) {
   sonar.elevation_aperture = radians_from_degrees(40);
   sonar.bin_count = 200;
   sonar.max_range = 12;
-  PingPlanSettings settings{.sonar = sonar,
+  FlatPlanSettings settings{.sonar = sonar,
                             .model = EchoModel::kCalibrated,
                             .materials = scene.materials,
                             .primary = PrimaryEchoes::kRays,
@@ -281,7 +281,7 @@ TEST(RasterAgreementTest, TheEngineUsesTheChosenMethod) {
   const auto engine = test_engine("cpu", 2);
   engine->set_scene(random.scene);
   for (const int rows : {2, 400}) {
-    PingPlanSettings settings{.sonar = random.sonar};
+    FlatPlanSettings settings{.sonar = random.sonar};
     settings.sonar.sampling = {1, rows};
     static_cast<void>(echoes_of(*engine, settings, random.pose));
     const bool drawn = primary_echoes(PrimaryEchoes::kAuto, settings.sonar, random.scene.triangle_count(), true) ==

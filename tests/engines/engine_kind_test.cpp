@@ -46,7 +46,7 @@ TEST(EngineKindTest, EnginesDrawPrimariesIfTheySaySo) {
 
 TEST(EngineKindTest, BareTraversalIsTimedOnceARepetitionOrNotAtAll) {
   const RandomScene random(1);
-  const auto plan = make_ping_plan({.sonar = random.sonar});
+  const auto plan = make_flat_plan({.sonar = random.sonar});
   for (const std::string_view name : engine_names()) {
     const auto engine = test_engine(name, 2);
     engine->set_scene(random.scene);
@@ -59,7 +59,7 @@ TEST(EngineKindTest, BareTraversalIsTimedOnceARepetitionOrNotAtAll) {
 
 TEST(EngineKindTest, ManyPingsInOneCallAreThoseMadeOneByOne) {
   const RandomScene random(2);
-  const PingPlanSettings settings{.sonar = random.sonar, .secondary = SecondaryEchoes::kAll};
+  const FlatPlanSettings settings{.sonar = random.sonar, .secondary = SecondaryEchoes::kAll};
   std::vector<Pose> poses(3, random.pose);
   for (std::size_t i = 0; i < poses.size(); ++i) {
     poses[i].position.z() += 0.1 * static_cast<double>(i);
@@ -69,7 +69,7 @@ TEST(EngineKindTest, ManyPingsInOneCallAreThoseMadeOneByOne) {
     engine->set_scene(random.scene);
     std::vector<EchoGrid> grids(poses.size(),
                                 EchoGrid(settings.sonar.beam_count, settings.sonar.bin_count, kPathOrders));
-    engine->insonify_all(*make_ping_plan(settings), poses, grids);
+    engine->insonify_all(*make_flat_plan(settings), poses, grids);
     for (std::size_t i = 0; i < poses.size(); ++i) {
       const EchoGrid single = echoes_of(*engine, settings, poses[i]);
       for (int order = 1; order <= kPathOrders; ++order) {

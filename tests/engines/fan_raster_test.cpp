@@ -15,7 +15,7 @@ using namespace testing_scenes;
 class Drawing {
  public:
   Drawing(const Scene& scene, const SonarConfig& sonar, const Pose& pose)
-      : plan_(make_ping_plan({.sonar = sonar})), strip_(1, plan_->lattice.rows) {
+      : plan_(make_flat_plan({.sonar = sonar})), strip_(1, plan_->lattice.rows) {
     scene_.set(scene);
     look(pose);
   }
@@ -39,7 +39,7 @@ class Drawing {
   static bool met(const HitColumn& hits, int row) { return row < hits.rows && hits.surface[row] != kNoSurface; }
 
  private:
-  std::shared_ptr<const PingPlan> plan_;
+  std::shared_ptr<const FlatPlan> plan_;
   RasterScene scene_;
   FanView view_;
   Workers workers_{1};

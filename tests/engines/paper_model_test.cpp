@@ -31,7 +31,7 @@ TEST(PaperModelTest, LogisticRunsFromZeroToOneThroughItsMidpoint) {
 // A beam so narrow that all its samples have the same range and incidence.
 struct ThinBeam {
   SonarConfig sonar;
-  PingPlanSettings settings;
+  FlatPlanSettings settings;
 
   ThinBeam() {
     sonar.beam_count = 1;

@@ -12,7 +12,7 @@ namespace insonify::plan_copy_test {
 namespace {
 
 // The numbers, and the length and the values of each table.
-std::vector<std::byte> bytes_of(const PingPlan& plan) {
+std::vector<std::byte> bytes_of(const FlatPlan& plan) {
   std::vector<std::byte> bytes;
   const auto put = [&](const void* from, std::size_t count) {
     const auto* const first = static_cast<const std::byte*>(from);
@@ -27,11 +27,11 @@ std::vector<std::byte> bytes_of(const PingPlan& plan) {
     put_numbers(table.size());
     put(table.data(), table.size() * sizeof(Value));
   };
-  PingPlan::visit_parts(plan, put_numbers, put_table);
+  FlatPlan::visit_parts(plan, put_numbers, put_table);
   return bytes;
 }
 
-PingPlan plan_of(const std::vector<std::byte>& bytes) {
+FlatPlan plan_of(const std::vector<std::byte>& bytes) {
   std::size_t at = 0;
   const auto take = [&](void* to, std::size_t count) {
     std::memcpy(to, &bytes.at(at), count);
@@ -46,13 +46,13 @@ PingPlan plan_of(const std::vector<std::byte>& bytes) {
       take(table.data(), size * sizeof(Value));
     }
   };
-  PingPlan plan;
-  PingPlan::visit_parts(plan, take_numbers, take_table);
+  FlatPlan plan;
+  FlatPlan::visit_parts(plan, take_numbers, take_table);
   EXPECT_EQ(at, bytes.size());
   return plan;
 }
 
-EchoGrid grid_of(TestEngine& engine, const Pose& pose, const PingPlan& plan) {
+EchoGrid grid_of(TestEngine& engine, const Pose& pose, const FlatPlan& plan) {
   EchoGrid grid(plan.beam_count, plan.bin_count, kPathOrders);
   engine.insonify(plan, pose, grid);
   return grid;
@@ -70,7 +70,7 @@ TEST_P(PlanCopyTest, GivesTheSameEchoes) {
         material.shear_speed = 1200;  // Its laws have tables over the angle of incidence.
       }
     }
-    PingPlanSettings settings{.sonar = random.sonar, .model = GetParam().model, .materials = scene.materials};
+    FlatPlanSettings settings{.sonar = random.sonar, .model = GetParam().model, .materials = scene.materials};
     if (GetParam().model == EchoModel::kCalibrated && seed % 3 > 0) {
       settings.elevation_array.emplace();
       settings.beam_shape = BeamShape::kCone;
@@ -78,8 +78,8 @@ TEST_P(PlanCopyTest, GivesTheSameEchoes) {
         settings.sent_across = ElevationWay{ArraySettings{}, 0.5 * random.sonar.elevation_aperture};
       }
     }
-    const PingPlan plan(settings);
-    const PingPlan copy = plan_of(bytes_of(plan));
+    const FlatPlan plan(settings);
+    const FlatPlan copy = plan_of(bytes_of(plan));
     const auto engine = test_engine(GetParam().engine, 2);
     engine->set_scene(scene);
     const EchoGrid first = grid_of(*engine, random.pose, plan), second = grid_of(*engine, random.pose, copy);

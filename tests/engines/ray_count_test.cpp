@@ -46,7 +46,7 @@ TEST_P(RayCountTest, LevelsDoNotDependOnTheNumberOfSamples) {
   const auto engine = test_engine("cpu", 2);
   engine->set_scene(scene);
   const auto ping = [&](int columns_per_beam, int rows) {
-    PingPlanSettings settings{.sonar = sonar,
+    FlatPlanSettings settings{.sonar = sonar,
                               .model = GetParam().model,
                               .materials = scene.materials,
                               .primary = GetParam().primary,

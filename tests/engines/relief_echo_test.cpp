@@ -40,7 +40,7 @@ std::vector<Way> ways() {
 }
 class ReliefEchoTest : public testing::TestWithParam<Way> {
  public:
-  EchoGrid echoes(const Scene& scene, PingPlanSettings settings, const Pose& pose = {}) {
+  EchoGrid echoes(const Scene& scene, FlatPlanSettings settings, const Pose& pose = {}) {
     settings.primary = GetParam().primary;
     return echoes_of(GetParam().engine, scene, settings, pose);
   }
@@ -50,8 +50,8 @@ INSTANTIATE_TEST_SUITE_P(Engines, ReliefEchoTest, testing::ValuesIn(ways()), [](
 });
 
 // One narrow beam straight ahead, without absorption or sigmoid: the mean power of the echoes is |cos| x reflectivity.
-PingPlanSettings pencil() {
-  PingPlanSettings settings{.secondary = SecondaryEchoes::kNone};
+FlatPlanSettings pencil() {
+  FlatPlanSettings settings{.secondary = SecondaryEchoes::kNone};
   settings.sonar.beam_count = 1;
   settings.sonar.azimuth_aperture = settings.sonar.elevation_aperture = 0.2 * kDegree;
   settings.sonar.max_range = 10;
@@ -124,7 +124,7 @@ TEST_P(ReliefEchoTest, FlatReliefChangesNothing) {
   for (std::size_t i = 0; i < flat.instances.size(); ++i) {
     give(flat, static_cast<int>(i), constant({0, 0}));
   }
-  const PingPlanSettings settings{.sonar = random.sonar, .secondary = SecondaryEchoes::kAll};
+  const FlatPlanSettings settings{.sonar = random.sonar, .secondary = SecondaryEchoes::kAll};
   const EchoGrid plain = echoes(random.scene, settings, random.pose), with = echoes(flat, settings, random.pose);
   EXPECT_LE(difference(plain, with, 1), 1e-5);
   EXPECT_LE(difference(plain, with, 2), 1e-4);
@@ -166,10 +166,10 @@ TEST_P(ReliefEchoTest, AgreesWithTheReference) {
   for (int seed = 0; seed < 20; ++seed) {
     const RandomScene random(seed);
     const Scene scene = roughened(random, seed);
-    const PingPlanSettings settings{.sonar = random.sonar,
+    const FlatPlanSettings settings{.sonar = random.sonar,
                                     .secondary = seed % 2 == 0 ? SecondaryEchoes::kAll : SecondaryEchoes::kSelective};
     const auto oracle = test_engine("reference", 2), engine = test_engine(GetParam().engine, 2);
-    PingPlanSettings own = settings;
+    FlatPlanSettings own = settings;
     own.primary = GetParam().primary;
     for (TestEngine* each : {oracle.get(), engine.get()}) {
       each->set_scene(scene);
@@ -212,7 +212,7 @@ TEST_P(ReliefEchoTest, MatchesADisplacedMesh) {
   relief.tile_size = kLength;
   give(mapped, 0, std::make_shared<const Relief>(relief));
 
-  PingPlanSettings settings = pencil();
+  FlatPlanSettings settings = pencil();
   settings.sonar.elevation_aperture = 30 * kDegree;
   settings.sonar.elevation_center = -25 * kDegree;
   settings.sonar.bin_count = 200;
@@ -243,7 +243,7 @@ TEST_P(ReliefEchoTest, MatchesADisplacedMesh) {
 // The second surface of a path, a wall reached by way of a floor, has relief too.
 TEST_P(ReliefEchoTest, SecondSurfacesHaveReliefToo) {
   Scene scene = SceneMaker().add_floor(-2).add_wall(8).scene();
-  PingPlanSettings settings{.secondary = SecondaryEchoes::kAll};
+  FlatPlanSettings settings{.secondary = SecondaryEchoes::kAll};
   settings.sonar.beam_count = 8;
   settings.sonar.azimuth_aperture = 10 * kDegree;
   settings.sonar.elevation_aperture = 10 * kDegree;
@@ -267,7 +267,7 @@ TEST_P(ReliefEchoTest, SecondSurfacesHaveReliefToo) {
 TEST_P(ReliefEchoTest, NothingIsReflectedIntoTheSurface) {
   Scene scene = SceneMaker().add_floor(-2, 0.8, 6).add_floor(-2.5).scene();
   give(scene, 0, constant({-0.27F, 0}));
-  PingPlanSettings settings{.secondary = SecondaryEchoes::kAll};
+  FlatPlanSettings settings{.secondary = SecondaryEchoes::kAll};
   settings.sonar.azimuth_aperture = 10 * kDegree;
   settings.sonar.elevation_center = -20 * kDegree;
   settings.sonar.elevation_aperture = 4 * kDegree;

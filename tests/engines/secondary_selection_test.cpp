@@ -15,7 +15,7 @@ TEST(SecondarySelectionTest, TracesNoRaysIntoOpenWater) {
   SonarConfig sonar;
   sonar.beam_count = 16;
   sonar.elevation_center = -20 * kDegree;
-  PingPlanSettings settings{.sonar = sonar, .secondary = SecondaryEchoes::kAll};
+  FlatPlanSettings settings{.sonar = sonar, .secondary = SecondaryEchoes::kAll};
   const auto engine = test_engine("cpu", 2);
   const Scene scene = SceneMaker().add_floor(-3).add_sphere({6, 0, -2}, 0.5).scene();
   engine->set_scene(scene);
@@ -37,7 +37,7 @@ TEST(SecondarySelectionTest, TracesASampleOfTheRaysThatMayHitASurface) {
   sonar.elevation_center = 0;
   sonar.elevation_aperture = 40 * kDegree;
   sonar.azimuth_aperture = 60 * kDegree;
-  PingPlanSettings settings{.sonar = sonar, .secondary = SecondaryEchoes::kAll};
+  FlatPlanSettings settings{.sonar = sonar, .secondary = SecondaryEchoes::kAll};
   const auto engine = test_engine("cpu", 2);
   const Scene scene = SceneMaker().add_floor(-3).add_wall(8).scene();
   engine->set_scene(scene);
@@ -55,7 +55,7 @@ TEST(SecondarySelectionTest, SeedsSelectDifferentHits) {
   sonar.beam_count = 16;
   sonar.elevation_center = -15 * kDegree;
   sonar.azimuth_aperture = 60 * kDegree;
-  PingPlanSettings settings{.sonar = sonar, .secondary = SecondaryEchoes::kSelective};
+  FlatPlanSettings settings{.sonar = sonar, .secondary = SecondaryEchoes::kSelective};
   const auto engine = test_engine("cpu", 2);
   const Scene scene = SceneMaker().add_floor(-3).add_wall(8).scene();
   engine->set_scene(scene);
@@ -102,7 +102,7 @@ TEST(SecondarySelectionTest, PreservesTheSumsOfEnergyAndWeight) {
     const RandomScene random(number);
     const auto engine = test_engine("cpu", 2);
     engine->set_scene(random.scene);
-    PingPlanSettings settings{.sonar = random.sonar, .secondary = SecondaryEchoes::kAll};
+    FlatPlanSettings settings{.sonar = random.sonar, .secondary = SecondaryEchoes::kAll};
     settings.sonar.sampling = {4, 100};
     const EchoGrid all = echoes_of(*engine, settings, random.pose);
     rays_all.secondary += engine->ray_counts().secondary;
@@ -131,7 +131,7 @@ TEST(SecondarySelectionTest, PreservesTheSumsOfCalibratedEnergy) {
     const RandomScene random(number);
     const auto engine = test_engine("cpu", 2);
     engine->set_scene(random.scene);
-    PingPlanSettings settings{.sonar = random.sonar,
+    FlatPlanSettings settings{.sonar = random.sonar,
                               .model = EchoModel::kCalibrated,
                               .materials = random.scene.materials,
                               .beam_shape = number % 4 < 2 ? BeamShape::kWedge : BeamShape::kCone,
@@ -174,7 +174,7 @@ TEST(SecondarySelectionTest, FollowsHitsByTheEnergyThatTheyReflect) {
       material.reflection = reflection;
     }
     engine->set_scene(scene);
-    PingPlanSettings settings{.sonar = sonar,
+    FlatPlanSettings settings{.sonar = sonar,
                               .model = EchoModel::kCalibrated,
                               .materials = scene.materials,
                               .secondary = SecondaryEchoes::kAll};

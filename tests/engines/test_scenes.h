@@ -59,13 +59,13 @@ class SceneMaker {
 };
 
 /// Echoes of one ping on one engine, without receiver.
-inline EchoGrid echoes_of(TestEngine& engine, const PingPlanSettings& settings, const Pose& world_from_sonar = {}) {
+inline EchoGrid echoes_of(TestEngine& engine, const FlatPlanSettings& settings, const Pose& world_from_sonar = {}) {
   EchoGrid grid(settings.sonar.beam_count, settings.sonar.bin_count, kPathOrders);
-  engine.insonify(*make_ping_plan(settings), world_from_sonar, grid);
+  engine.insonify(*make_flat_plan(settings), world_from_sonar, grid);
   return grid;
 }
 
-inline EchoGrid echoes_of(const std::string& engine_name, const Scene& scene, const PingPlanSettings& settings,
+inline EchoGrid echoes_of(const std::string& engine_name, const Scene& scene, const FlatPlanSettings& settings,
                           const Pose& world_from_sonar = {}, int threads = 2) {
   const auto engine = test_engine(engine_name, threads);
   engine->set_scene(scene);

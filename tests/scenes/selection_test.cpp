@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "echo/model/ping_plan.h"
+#include "echo/model/flat_plan.h"
 #include "insonify/files.h"
 #include "insonify/scenario_requests.h"
 #include "insonify/simulator.h"
@@ -70,13 +70,13 @@ class Scan {
     const Scenario& scenario = simulator_.scenario();
     SonarConfig sonar = simulator_.sonar(0);
     sonar.transmit_width.reset();  // As in the paper model.
-    const PingPlanSettings settings{.sonar = sonar,
+    const FlatPlanSettings settings{.sonar = sonar,
                                     .water = scenario.water,
                                     .paper = scenario.paper,
                                     .secondary = secondary,
                                     .seed = scenario.seed,
                                     .stagger_phase = stagger_phase};
-    const auto plan = make_ping_plan(settings);
+    const auto plan = make_flat_plan(settings);
     const std::uint64_t step = sonar.beam_count == 1 ? 10 : 1;
     EchoGrid grid(sonar.beam_count, sonar.bin_count, kPathOrders);
     for (std::uint64_t ping = 0; ping < static_cast<std::uint64_t>(scenario.pings); ping += step) {

@@ -41,14 +41,14 @@ class TestEngine {
   }
 
   /// Fills the grid, which has the plan's beams and bins, with the echoes of the samples of one ping.
-  void insonify(const PingPlan& plan, const Pose& world_from_sonar, EchoGrid& grid) {
+  void insonify(const FlatPlan& plan, const Pose& world_from_sonar, EchoGrid& grid) {
     const PingView view = view_of(plan, world_from_sonar, grid);
     batch_->start({&view, 1});
     grid = batch_->map(0);
   }
 
   /// The same for several pings in batches.
-  void insonify_all(const PingPlan& plan, std::span<const Pose> poses, std::span<EchoGrid> grids) {
+  void insonify_all(const FlatPlan& plan, std::span<const Pose> poses, std::span<EchoGrid> grids) {
     std::vector<PingView> views;
     for (std::size_t i = 0; i < poses.size(); ++i) {
       views.push_back(view_of(plan, poses[i], grids[i]));
@@ -69,7 +69,7 @@ class TestEngine {
   }
 
   /// Adds the echoes of one source to the cells of the grid. Its rays must not be lines of sight.
-  void add(EchoSource& source, const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t number,
+  void add(EchoSource& source, const FlatPlan& plan, const Pose& world_from_sonar, std::uint64_t number,
            EchoGrid& grid) {
     PingView view = view_of(plan, world_from_sonar, grid);
     view.number = number;
@@ -91,7 +91,7 @@ class TestEngine {
 
   [[nodiscard]] RayCounts ray_counts() const { return batch_->ray_counts(0); }
 
-  [[nodiscard]] std::vector<double> time_traversal(const PingPlan& plan, const Pose& world_from_sonar,
+  [[nodiscard]] std::vector<double> time_traversal(const FlatPlan& plan, const Pose& world_from_sonar,
                                                    int repetitions) {
     return engine_->time_traversal({.plan = &plan, .world_from_sonar = world_from_sonar}, repetitions);
   }
@@ -104,7 +104,7 @@ class TestEngine {
   [[nodiscard]] const Placement& placement() const { return placement_; }
 
  private:
-  [[nodiscard]] PingView view_of(const PingPlan& plan, const Pose& world_from_sonar, const EchoGrid& grid) const {
+  [[nodiscard]] PingView view_of(const FlatPlan& plan, const Pose& world_from_sonar, const EchoGrid& grid) const {
     return {.plan = &plan,
             .world_from_sonar = world_from_sonar,
             .placement = &placement_,

@@ -111,7 +111,7 @@ TEST_P(SeaSurfaceEchoTest, GhostsOfBodiesLoseByTheirGrazingAngle) {
         const auto engine = test_engine(GetParam().engine, 2);
         engine->set_scene(scene);
         EchoGrid grid(sonar.beam_count, sonar.bin_count, kPathOrders);
-        engine->insonify(*make_ping_plan({.sonar = sonar,
+        engine->insonify(*make_flat_plan({.sonar = sonar,
                                           .water = {.absorption = false},
                                           .model = EchoModel::kCalibrated,
                                           .materials = scene.materials,

@@ -19,7 +19,7 @@ inline EchoGrid secondary_grid(const Method& method, const Scene& scene, const S
   const auto engine = test_engine(method.engine, 2);
   engine->set_scene(scene);
   EchoGrid grid(sonar.beam_count, sonar.bin_count, kPathOrders);
-  engine->insonify(*make_ping_plan({.sonar = sonar,
+  engine->insonify(*make_flat_plan({.sonar = sonar,
                                     .water = {.absorption = false},
                                     .model = EchoModel::kCalibrated,
                                     .materials = scene.materials,

@@ -71,7 +71,7 @@ constexpr double kLoss = 2 * kAbsorption * 0.1151292546497023;  // Loss of inten
 const Water kLossyWater{.absorption_db_per_m = kAbsorption};
 
 // Energy of order 2, and of 3 and more, of walks: means over pings.
-std::pair<Mean, Mean> energies(const std::vector<Plate>& plates, const PingPlanSettings& settings, const Vec3& sonar) {
+std::pair<Mean, Mean> energies(const std::vector<Plate>& plates, const FlatPlanSettings& settings, const Vec3& sonar) {
   WalkScene walks("cpu", scene_of_plates(plates), settings, sonar, 100'000);
   Mean two, more;
   for (int ping = 0; ping < 80; ++ping) {
@@ -94,7 +94,7 @@ TEST(WalkQuadratureTest, DiffuseSurfacesGiveTheSumOverAllPaths) {
                                      {-Vec3::UnitX(), {4.1, 0, 0.2}, 1.7, diffuse(-6.5)},
                                      {-Vec3::UnitY(), {2.6, 1.3, 0.1}, 1.6, diffuse(-7)}};
   const Vec3 sonar(0.1, -0.2, 0.15);
-  const PingPlanSettings settings{
+  const FlatPlanSettings settings{
       .sonar = sonar_over(100, -45, 45), .water = kLossyWater, .elevation_array = ArraySettings{}};
   const auto [two, more] = energies(plates, settings, sonar);
 
@@ -162,7 +162,7 @@ TEST_P(WalkMirrorTest, MirroredSoundIsCountedWhereSecondaryEchoesLeaveItOut) {
   const std::vector<Plate> plates = {{Vec3::UnitZ(), {2.6, 0.2, -1.2}, 1.6, first},
                                      {-Vec3::UnitX(), {4.2, 0, 0.3}, 1.8, second}};
   const Vec3 sonar(0.1, -0.2, 0.4);
-  const PingPlanSettings settings{.sonar = sonar_over(80, -50, 20), .water = kLossyWater};
+  const FlatPlanSettings settings{.sonar = sonar_over(80, -50, 20), .water = kLossyWater};
   const auto [two, more] = energies(plates, settings, sonar);
 
   constexpr int kAlong = 10, kEach = kAlong * kAlong;

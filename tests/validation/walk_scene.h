@@ -12,7 +12,7 @@ namespace insonify::validation {
 
 /// Walks of one sonar in one scene.
 struct WalkScene {
-  WalkScene(const char* engine_name, Scene the_scene, const PingPlanSettings& settings, const Vec3& position, int walks,
+  WalkScene(const char* engine_name, Scene the_scene, const FlatPlanSettings& settings, const Vec3& position, int walks,
             std::uint64_t seed = 5)
       : sonar(settings.sonar),
         scene(std::move(the_scene)),
@@ -60,16 +60,16 @@ struct WalkScene {
     return beams;
   }
 
-  [[nodiscard]] std::shared_ptr<const PingPlan> planned(PingPlanSettings settings) const {
+  [[nodiscard]] std::shared_ptr<const FlatPlan> planned(FlatPlanSettings settings) const {
     settings.model = EchoModel::kCalibrated;
     settings.materials = scene.materials;
-    return make_ping_plan(settings);
+    return make_flat_plan(settings);
   }
 
   SonarConfig sonar;
   Scene scene;
   std::unique_ptr<TestEngine> engine;
-  std::shared_ptr<const PingPlan> plan;
+  std::shared_ptr<const FlatPlan> plan;
   EchoGrid grid;
   Pose world_from_sonar;
   RandomWalks::Settings walk_settings;

@@ -180,7 +180,7 @@ TEST(WalkWaterTest, WalksLeaveOutTheWaysBackByTheWater) {
   // The engine's own: what paths over three surfaces add, without those that leave and come back by one mirror.
   Scene still = scene;
   still.materials[2].rms_height = 0;
-  const auto plan = make_ping_plan({.sonar = sonar,
+  const auto plan = make_flat_plan({.sonar = sonar,
                                     .water = {.sound_speed = 1500, .absorption = false},
                                     .model = EchoModel::kCalibrated,
                                     .materials = still.materials,

@@ -17,7 +17,7 @@ bool ends_here(const SightEnd& end, const Hit& hit) {
 }
 
 // Finds the lines of sight of a source that continue behind the surfaces that they have met.
-void continue_sights(const PingPlan& plan, AskingSource& source) {
+void continue_sights(const FlatPlan& plan, AskingSource& source) {
   source.of.clear();
   source.continued.clear();
   const RayList& asked = source.asked;

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "echo/batch/placement.h"
-#include "echo/model/ping_plan.h"
+#include "echo/model/flat_plan.h"
 #include "insonify/geometry.h"
 #include "insonify/ground_truth.h"
 
@@ -20,7 +20,7 @@ struct GridLayers {
 
 /// One ping of a batch: a sonar, where it is, and where everything else is.
 struct PingView {
-  const PingPlan* plan = nullptr;
+  const FlatPlan* plan = nullptr;
   Pose world_from_sonar = {};            ///< Pose of the transducer: the head, turned, for a scanning sonar.
   const Placement* placement = nullptr;  ///< Null: all instances are as the engine has them.
   GridLayers layers = {};

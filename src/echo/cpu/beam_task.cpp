@@ -28,7 +28,7 @@ void set_relief(const HitColumn& hits, int row, const ReliefPoint& relief) {
 
 }  // namespace
 
-void BeamTask::prepare(const PingPlan& plan, SecondarySampling sampling, const LeftOut* left_out) {
+void BeamTask::prepare(const FlatPlan& plan, SecondarySampling sampling, const LeftOut* left_out) {
   plan_ = &plan;
   left_out_ = left_out;
   sampling_ = sampling;

@@ -11,10 +11,10 @@
 #include "echo/cpu/ray_packet.h"
 #include "echo/cpu/secondary_task.h"
 #include "echo/grid/surface_run.h"
+#include "echo/model/flat_plan.h"
 #include "echo/model/hit_column.h"
 #include "echo/model/left_out.h"
 #include "echo/model/normal_turns.h"
-#include "echo/model/ping_plan.h"
 
 namespace insonify {
 
@@ -25,7 +25,7 @@ struct BeamTask {
 
   /// Prepares for a ping. Allocates only if it needs more memory than any ping before.
   /// @param left_out  Parts whose primary echoes are left out; null: none.
-  void prepare(const PingPlan& plan, SecondarySampling sampling, const LeftOut* left_out);
+  void prepare(const FlatPlan& plan, SecondarySampling sampling, const LeftOut* left_out);
 
   /// Fills the beams [first_beam, last_beam) of the grid.
   /// @param view      The visible part of the raster scene, to rasterise primaries; null to ray-trace them.
@@ -56,7 +56,7 @@ struct BeamTask {
   const RasterScene& raster_scene_;
   const Workers& workers_;  // Asked whether to stop.
   FanRaster raster_;
-  const PingPlan* plan_ = nullptr;
+  const FlatPlan* plan_ = nullptr;
   const LeftOut* left_out_ = nullptr;
   SecondarySampling sampling_ = SecondarySampling::kNone;
   int first_column_ = 0, columns_ = 0;  // Columns of the lattice; columns below count from first_column_.

@@ -19,13 +19,13 @@ CpuPing::CpuPing(const CpuWorld& world, Workers& workers) : world_(world), worke
   }
 }
 
-bool CpuPing::draws(const PingPlan& plan, const CpuWorld& world) {
+bool CpuPing::draws(const FlatPlan& plan, const CpuWorld& world) {
   return primary_echoes(plan.primary, plan.azimuth_aperture, 1.0 * plan.lattice.columns * plan.lattice.rows,
                         world.triangle_count(), CpuEngine::kKind.draws_primaries,
                         plan.lattice.even_rows) == PrimaryEchoes::kRaster;
 }
 
-const FanView* CpuPing::look(const PingPlan& plan, const Pose& world_from_sonar) {
+const FanView* CpuPing::look(const FlatPlan& plan, const Pose& world_from_sonar) {
   if (!draws(plan, world_)) {
     return nullptr;
   }
@@ -35,14 +35,14 @@ const FanView* CpuPing::look(const PingPlan& plan, const Pose& world_from_sonar)
   return &view_;
 }
 
-SecondarySampling CpuPing::choose_sampling(const PingPlan& plan, const Pose& world_from_sonar) {
+SecondarySampling CpuPing::choose_sampling(const FlatPlan& plan, const Pose& world_from_sonar) {
   const std::span<const Ray> rays = probes_.aim(plan, world_from_sonar);
   world_.trace(rays, probes_.hits());
   return probes_.choose(plan, world_.scene().origin(), world_.scene().boxes());
 }
 
 template <typename Work>
-void CpuPing::for_each_task(const PingPlan& plan, SecondarySampling sampling, Work&& work) {
+void CpuPing::for_each_task(const FlatPlan& plan, SecondarySampling sampling, Work&& work) {
   for (const auto& scratch : scratch_) {
     scratch->prepare(plan, sampling, world_.left_out());
   }
@@ -52,7 +52,7 @@ void CpuPing::for_each_task(const PingPlan& plan, SecondarySampling sampling, Wo
   });
 }
 
-RayCounts CpuPing::insonify(const PingPlan& plan, const Pose& world_from_sonar, EchoGrid& grid) {
+RayCounts CpuPing::insonify(const FlatPlan& plan, const Pose& world_from_sonar, EchoGrid& grid) {
   const FanView* view = look(plan, world_from_sonar);
   const SecondarySampling sampling = choose_sampling(plan, world_from_sonar);
   cut_beams(plan.beam_count, workers_.count(), first_beams_);
@@ -72,7 +72,7 @@ RayCounts CpuPing::insonify(const PingPlan& plan, const Pose& world_from_sonar, 
   return counts;
 }
 
-std::vector<double> CpuPing::time_traversal(const PingPlan& plan, const Pose& world_from_sonar, int repetitions) {
+std::vector<double> CpuPing::time_traversal(const FlatPlan& plan, const Pose& world_from_sonar, int repetitions) {
   cut_beams(plan.beam_count, workers_.count(), first_beams_);
   std::vector<SecondaryTask::Log> logs(task_count());
   EchoGrid grid(plan.beam_count, plan.bin_count, kPathOrders);

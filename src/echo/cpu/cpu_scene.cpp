@@ -84,6 +84,40 @@ void CpuScene::remove(unsigned id) {
   part = {};
 }
 
+// Adds an instance, or keeps the part that it is already.
+void CpuScene::set(const Instance& instance, unsigned id) {
+  Part& part = parts_[id];
+  if (part.mesh != nullptr && !has(part, instance)) {
+    remove(id);
+  }
+  if (!instance.present) {
+    return;
+  }
+  part.surfaces.clear();
+  for (const std::uint16_t material : instance.materials) {
+    part.surfaces.push_back(surface_label(static_cast<std::uint16_t>(id), material));
+  }
+  any_moving_ |= instance.moving;
+  part.rotation = instance.world_from_mesh.orientation.toRotationMatrix().cast<float>();
+  part.offset = (instance.world_from_mesh.position - origin_).cast<float>();
+  const bool is_new = part.mesh == nullptr;
+  if (is_new) {
+    part.faces = find_faces(*instance.mesh);
+    part.mesh = instance.mesh;
+    part.world_from_mesh = instance.world_from_mesh;
+    part.triangles = instance.mesh->triangles.data();
+    part.slots = instance.mesh->material_slots.empty() ? nullptr : instance.mesh->material_slots.data();
+  }
+  any_faces_ |= !part.faces->faces.empty();
+  if (is_new && instance.moving) {
+    add_moving(instance, id);
+  } else if (is_new) {
+    add_still(instance, id);
+  } else if (instance.moving) {
+    place(part.placed, instance.world_from_mesh, origin_);
+  }
+}
+
 void CpuScene::set(const Scene& scene) {
   const Vec3 origin = scene.middle();
   if (!whole_ || origin != origin_ || scene.instances.size() < parts_.size()) {
@@ -108,41 +142,7 @@ void CpuScene::set(const Scene& scene) {
   any_moving_ = any_faces_ = false;
   parts_.resize(scene.instances.size());
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-    const Instance& instance = scene.instances[i];
-    const auto id = static_cast<unsigned>(i);
-    Part& part = parts_[i];
-    if (part.mesh != nullptr && !has(part, instance)) {
-      remove(id);
-    }
-    if (!instance.present) {
-      continue;
-    }
-    part.surfaces.clear();
-    for (const std::uint16_t material : instance.materials) {
-      part.surfaces.push_back(surface_label(static_cast<std::uint16_t>(i), material));
-    }
-    any_moving_ |= instance.moving;
-    part.rotation = instance.world_from_mesh.orientation.toRotationMatrix().cast<float>();
-    part.offset = (instance.world_from_mesh.position - origin_).cast<float>();
-    if (part.mesh == nullptr) {
-      part.faces = find_faces(*instance.mesh);
-    }
-    any_faces_ |= !part.faces->faces.empty();
-    if (part.mesh != nullptr) {
-      if (instance.moving) {
-        place(part.placed, instance.world_from_mesh, origin_);
-      }
-      continue;
-    }
-    part.mesh = instance.mesh;
-    part.world_from_mesh = instance.world_from_mesh;
-    part.triangles = instance.mesh->triangles.data();
-    part.slots = instance.mesh->material_slots.empty() ? nullptr : instance.mesh->material_slots.data();
-    if (instance.moving) {
-      add_moving(instance, id);
-    } else {
-      add_still(instance, id);
-    }
+    set(scene.instances[i], static_cast<unsigned>(i));
   }
   rtcCommitScene(scene_);
   if (const RTCError error = rtcGetDeviceError(device_); error != RTC_ERROR_NONE) {

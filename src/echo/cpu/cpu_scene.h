@@ -107,6 +107,7 @@ class CpuScene {
 
   void clear();
   [[nodiscard]] bool has(const Part& part, const Instance& instance) const;
+  void set(const Instance& instance, unsigned id);
   void remove(unsigned id);
   void add_still(const Instance& instance, unsigned id);
   void add_moving(const Instance& instance, unsigned id);

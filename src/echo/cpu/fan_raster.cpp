@@ -112,7 +112,7 @@ void FanRaster::Columns::set(const Lattice& lattice, int first, int last) {
   }
 }
 
-void FanRaster::draw(const RasterScene& scene, const FanView& view, const PingPlan& plan, int first_column,
+void FanRaster::draw(const RasterScene& scene, const FanView& view, const FlatPlan& plan, int first_column,
                      int last_column) {
   scene_ = &scene;
   view_ = &view;

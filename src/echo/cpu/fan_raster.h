@@ -24,7 +24,7 @@ class FanRaster {
 
   /// Draws columns [first, last).
   /// @throws Interrupted
-  void draw(const RasterScene& scene, const FanView& view, const PingPlan& plan, int first_column, int last_column);
+  void draw(const RasterScene& scene, const FanView& view, const FlatPlan& plan, int first_column, int last_column);
 
   /// Fills in the engine's group of `hits` for one of these columns, except directions.
   /// @return Number of rows up to the last hit.
@@ -59,7 +59,7 @@ class FanRaster {
   const Workers& workers_;
   const RasterScene* scene_ = nullptr;
   const FanView* view_ = nullptr;
-  const PingPlan* plan_ = nullptr;
+  const FlatPlan* plan_ = nullptr;
   int first_column_ = 0, stride_ = 0;
   Columns columns_;
   std::vector<float> nearness_;         // [column][row] 1 / distance along the middle elevation: linear in slope.

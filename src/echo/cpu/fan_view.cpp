@@ -40,7 +40,7 @@ ColumnFinder::Columns ColumnFinder::between(float low, float high) const {
 
 // Columns that a sphere may touch; none if it lies outside the range or the elevation aperture.
 ColumnFinder::Columns FanView::columns_of(const Sphere& sphere, const Placement& placement,
-                                          const PingPlan& plan) const {
+                                          const FlatPlan& plan) const {
   const Lattice& lattice = plan.lattice;
   const Vec3f centre = placement.sonar_from_part * (sphere.centre - placement.sonar);
   const float radius = sphere.radius;
@@ -65,7 +65,7 @@ ColumnFinder::Columns FanView::columns_of(const Sphere& sphere, const Placement&
   return {0, lattice.columns};
 }
 
-void FanView::look(const RasterScene& scene, const PingPlan& plan, const Pose& scene_from_sonar) {
+void FanView::look(const RasterScene& scene, const FlatPlan& plan, const Pose& scene_from_sonar) {
   finder_.prepare(plan.lattice);
   placements_.resize(scene.parts().size());
   visible_.clear();

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "echo/cpu/raster_scene.h"
-#include "echo/model/ping_plan.h"
+#include "echo/model/flat_plan.h"
 
 namespace insonify {
 
@@ -33,7 +33,7 @@ class ColumnFinder {
 class FanView {
  public:
   /// Allocates only if it needs more memory than ever before.
-  void look(const RasterScene& scene, const PingPlan& plan, const Pose& scene_from_sonar);
+  void look(const RasterScene& scene, const FlatPlan& plan, const Pose& scene_from_sonar);
 
   struct Placement {
     Eigen::Matrix3f sonar_from_part;
@@ -50,7 +50,7 @@ class FanView {
 
  private:
   [[nodiscard]] ColumnFinder::Columns columns_of(const Sphere& sphere, const Placement& placement,
-                                                 const PingPlan& plan) const;
+                                                 const FlatPlan& plan) const;
 
   ColumnFinder finder_;
   std::vector<Placement> placements_;

@@ -95,38 +95,41 @@ void RasterScene::add(const Instance& instance, int index) {
         instance.moving ? vertex : (instance.world_from_mesh * vertex.cast<double>().eval() - origin_).cast<float>());
   }
   const std::vector<std::uint32_t> order = near_order(mesh, vertices);
-  Vec3f part_low = vertices.front(), part_high = part_low;
+  Eigen::AlignedBox3f box;
   part.first_cluster = static_cast<std::uint32_t>(clusters_.size());
   for (std::size_t first = 0; first < order.size(); first += kClusterSize) {
-    const std::size_t last = std::min(order.size(), first + kClusterSize);
-    TriangleCluster cluster{.sphere = {},
-                            .instance = index,
-                            .first_block = static_cast<std::uint32_t>(blocks_.size()),
-                            .triangle_count = static_cast<std::uint32_t>(last - first)};
-    Vec3f low = vertices[mesh.triangles[order[first]][0]], high = low;
-    for (std::size_t t = first; t < last; t += kBlockSize) {
-      TriangleBlock& block = blocks_.emplace_back();
-      block_instances_.push_back(index);
-      for (int lane = 0; lane < kBlockSize; ++lane) {
-        const std::uint32_t triangle = order[std::min(last - 1, t + static_cast<std::size_t>(lane))];
-        triangles_.push_back(triangle);
-        for (int k = 0; k < 3; ++k) {
-          const Vec3f& corner = vertices[mesh.triangles[triangle][k]];
-          block.x[k][lane] = corner.x();
-          block.y[k][lane] = corner.y();
-          block.z[k][lane] = corner.z();
-          low = low.cwiseMin(corner);
-          high = high.cwiseMax(corner);
-        }
-      }
-    }
-    cluster.sphere = Sphere::around(low, high);
-    clusters_.push_back(cluster);
-    part_low = part_low.cwiseMin(low);
-    part_high = part_high.cwiseMax(high);
+    const std::size_t count = std::min(order.size() - first, kClusterSize);
+    box.extend(add_cluster(index, mesh, vertices, std::span(order).subspan(first, count)));
   }
   part.last_cluster = static_cast<std::uint32_t>(clusters_.size());
-  part.sphere = Sphere::around(part_low, part_high);
+  part.sphere = Sphere::around(box.min(), box.max());
+}
+
+// Adds a cluster of the given triangles, and returns the box around it. The last triangle fills up the last block.
+Eigen::AlignedBox3f RasterScene::add_cluster(int instance, const Mesh& mesh, std::span<const Vec3f> vertices,
+                                             std::span<const std::uint32_t> triangles) {
+  TriangleCluster& cluster = clusters_.emplace_back();
+  cluster.instance = instance;
+  cluster.first_block = static_cast<std::uint32_t>(blocks_.size());
+  cluster.triangle_count = static_cast<std::uint32_t>(triangles.size());
+  Eigen::AlignedBox3f box;
+  for (std::size_t first = 0; first < triangles.size(); first += kBlockSize) {
+    TriangleBlock& block = blocks_.emplace_back();
+    block_instances_.push_back(instance);
+    for (std::size_t lane = 0; lane < kBlockSize; ++lane) {
+      const std::uint32_t triangle = triangles[std::min(triangles.size() - 1, first + lane)];
+      triangles_.push_back(triangle);
+      for (int k = 0; k < 3; ++k) {
+        const Vec3f& corner = vertices[mesh.triangles[triangle][k]];
+        block.x[k][lane] = corner.x();
+        block.y[k][lane] = corner.y();
+        block.z[k][lane] = corner.z();
+        box.extend(corner);
+      }
+    }
+  }
+  cluster.sphere = Sphere::around(box.min(), box.max());
+  return box;
 }
 
 void RasterScene::move(int instance, const Pose& world_from_mesh) {

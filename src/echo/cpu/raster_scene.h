@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "echo/grid/echo.h"
@@ -76,6 +77,8 @@ class RasterScene {
     return world_from_mesh;
   }
   void add(const Instance& instance, int index);
+  Eigen::AlignedBox3f add_cluster(int instance, const Mesh& mesh, std::span<const Vec3f> vertices,
+                                  std::span<const std::uint32_t> triangles);
 
   Vec3 origin_ = Vec3::Zero();
   std::vector<Part> parts_;

@@ -207,4 +207,23 @@ void FaceLanes::copy(int to, const FaceLanes& from, int lane) {
   finite[to] = from.finite[lane];
 }
 
+void ReflectedOrigins::copy(int to, const ReflectedOrigins& from, int lane) {
+  column[to] = from.column[lane];
+  row[to] = from.row[lane];
+  range[to] = from.range[lane];
+  selected[to] = from.selected[lane];
+  strength[to] = from.strength[lane];
+  reflectance[to] = from.reflectance[lane];
+  share[to] = from.share[lane];
+  steepness[to] = from.steepness[lane];
+  incidence[to] = from.incidence[lane];
+  smooth_x[to] = from.smooth_x[lane];
+  smooth_y[to] = from.smooth_y[lane];
+  smooth_z[to] = from.smooth_z[lane];
+  faces.copy(to, from.faces, lane);
+  tube[to] = from.tube[lane];
+  above.set(to, from.above.at(lane));
+  aside.set(to, from.aside.at(lane));
+}
+
 }  // namespace insonify

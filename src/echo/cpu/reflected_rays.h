@@ -57,6 +57,9 @@ struct ReflectedOrigins {
   FaceLanes faces;                                                             ///< `calibrated`
   RayTube tube[kPacketSize] = {};  ///< `calibrated` with more than two surfaces.
   MirrorChanges above, aside;      ///< Changes to the neighbours in the column and in the next column.
+
+  /// Copies a lane, except roughness, which is not read once the rays are turned.
+  void copy(int to, const ReflectedOrigins& from, int lane);
 };
 
 /// MirrorSample of sixteen hits.

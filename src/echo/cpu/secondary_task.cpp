@@ -29,7 +29,7 @@ SecondaryTask::SecondaryTask(const CpuScene& scene) : by_water_(scene), scene_(s
   }
 }
 
-void SecondaryTask::start(const PingPlan& plan, const Vec3f& sonar, const Eigen::Matrix3f& axes, EchoGrid& grid,
+void SecondaryTask::start(const FlatPlan& plan, const Vec3f& sonar, const Eigen::Matrix3f& axes, EchoGrid& grid,
                           std::vector<Echo>& arrivals, Log* log) {
   plan_ = &plan;
   sonar_ = sonar;
@@ -80,30 +80,13 @@ void SecondaryTask::reflect(const HitColumn& strip, int stride, int first_column
 void SecondaryTask::cull_and_trace(const HitColumn& strip) {
   const int count = candidate_count_;
   candidate_count_ = 0;
-  const RTCRay16& from = candidates_.rays.ray;
   Mirrors mirrors;
-  aim_reflected(strip, place_, count, sonar_, plan_->reach(), candidates_.rays.ray, candidate_origins_, mirrors);
   EdgeLanes edges = {};
   unsigned lanes = (1U << count) - 1;
-  if (plan_->model == EchoModel::kCalibrated) {
-    for (int lane = 0; lane < count; ++lane) {
-      const float texture = strip.has_relief ? strip.texture[place_[lane]] : 1.0F;
-      candidate_origins_.reflectance[lane] =
-          plan_->scatter.mirrored(strip.surface[place_[lane]], strip.facing[place_[lane]]) * texture * texture;
-      candidate_origins_.share[lane] = 1;
-      candidate_origins_.roughness[lane] = plan_->mirror_roughness(strip.surface[place_[lane]]);
-      candidate_origins_.incidence[lane] = strip.facing[place_[lane]];
-      candidate_origins_.steepness[lane] = plan_->scatter.steepness(strip.surface[place_[lane]]);
-      candidate_origins_.faces.finite[lane] = 0;
-    }
-    if (scene_.any_faces()) {
-      find_edges(strip, count, edges);
-    }
-    if (plan_->has_facets() || scene_.any_faces()) {
-      turn_to_facets(strip, place_, count, plan_->reach(), plan_->stagger, mirrors, edges, candidates_.rays.ray,
-                     candidate_origins_);
-      lanes &= positive_of_sixteen(candidate_origins_.share);
-    }
+  const bool calibrated = plan_->model == EchoModel::kCalibrated;
+  aim_reflected(strip, place_, count, sonar_, plan_->reach(), candidates_.rays.ray, candidate_origins_, mirrors);
+  if (calibrated) {
+    lanes &= turn_to_facets_and_edges(strip, count, mirrors, edges);
   }
   if (plan_->secondary == SecondaryEchoes::kSelective && --unculled_ < 0) {
     const unsigned candidates = lanes;
@@ -115,7 +98,7 @@ void SecondaryTask::cull_and_trace(const HitColumn& strip) {
   }
   compare_beside(strip, above_, count, candidate_origins_.range, mirrors, candidate_origins_.above);
   compare_beside(strip, aside_, count, candidate_origins_.range, mirrors, candidate_origins_.aside);
-  if (plan_->model == EchoModel::kCalibrated && plan_->max_surfaces > 2) {
+  if (calibrated && plan_->max_surfaces > 2) {
     compute_ray_tubes(strip, lanes);
     if (plan_->has_facets() || scene_.any_faces()) {
       project_faces(mirrors, edges, candidates_.rays.ray, candidate_origins_);
@@ -123,34 +106,45 @@ void SecondaryTask::cull_and_trace(const HitColumn& strip) {
   }
   if (std::popcount(lanes) >= kMany) {
     trace(candidates_, candidate_origins_, lanes);
-    return;
+  } else {
+    collect(lanes);
   }
-  RTCRay16& rays = reflected_.rays.ray;
+}
+
+// `calibrated`: looks up how the candidates reflect, and turns their rays to facets and edges. Returns the lanes of
+// rays that leave their mirror.
+unsigned SecondaryTask::turn_to_facets_and_edges(const HitColumn& strip, int count, const Mirrors& mirrors,
+                                                 EdgeLanes& edges) {
+  for (int lane = 0; lane < count; ++lane) {
+    const SurfaceLabel surface = strip.surface[place_[lane]];
+    const float facing = strip.facing[place_[lane]];
+    const float texture = strip.has_relief ? strip.texture[place_[lane]] : 1.0F;
+    candidate_origins_.reflectance[lane] = plan_->scatter.mirrored(surface, facing) * texture * texture;
+    candidate_origins_.share[lane] = 1;
+    candidate_origins_.roughness[lane] = plan_->mirror_roughness(surface);
+    candidate_origins_.incidence[lane] = facing;
+    candidate_origins_.steepness[lane] = plan_->scatter.steepness(surface);
+    candidate_origins_.faces.finite[lane] = 0;
+  }
+  if (scene_.any_faces()) {
+    find_edges(strip, count, edges);
+  }
+  if (!plan_->has_facets() && !scene_.any_faces()) {
+    return ~0U;
+  }
+  turn_to_facets(strip, place_, count, plan_->reach(), plan_->stagger, mirrors, edges, candidates_.rays.ray,
+                 candidate_origins_);
+  return positive_of_sixteen(candidate_origins_.share);
+}
+
+// Adds candidates to those that are traced together.
+void SecondaryTask::collect(unsigned lanes) {
   for (; lanes != 0; lanes &= lanes - 1) {
-    const int lane = std::countr_zero(lanes), to = reflected_count_;
-    rays.org_x[to] = from.org_x[lane];
-    rays.org_y[to] = from.org_y[lane];
-    rays.org_z[to] = from.org_z[lane];
-    rays.dir_x[to] = from.dir_x[lane];
-    rays.dir_y[to] = from.dir_y[lane];
-    rays.dir_z[to] = from.dir_z[lane];
-    rays.tfar[to] = from.tfar[lane];
-    origins_.column[to] = candidate_origins_.column[lane];
-    origins_.row[to] = candidate_origins_.row[lane];
-    origins_.range[to] = candidate_origins_.range[lane];
-    origins_.strength[to] = candidate_origins_.strength[lane];
-    origins_.reflectance[to] = candidate_origins_.reflectance[lane];
-    origins_.share[to] = candidate_origins_.share[lane];
-    origins_.steepness[to] = candidate_origins_.steepness[lane];
-    origins_.incidence[to] = candidate_origins_.incidence[lane];
-    origins_.smooth_x[to] = candidate_origins_.smooth_x[lane];
-    origins_.smooth_y[to] = candidate_origins_.smooth_y[lane];
-    origins_.smooth_z[to] = candidate_origins_.smooth_z[lane];
-    origins_.tube[to] = candidate_origins_.tube[lane];
-    origins_.faces.copy(to, candidate_origins_.faces, lane);
-    origins_.selected[to] = candidate_origins_.selected[lane];
-    origins_.above.set(to, candidate_origins_.above.at(lane));
-    origins_.aside.set(to, candidate_origins_.aside.at(lane));
+    const int lane = std::countr_zero(lanes);
+    reflected_.set_origin(reflected_count_, candidates_.origin(lane));
+    reflected_.set_direction(reflected_count_, candidates_.direction(lane));
+    reflected_.rays.ray.tfar[reflected_count_] = candidates_.rays.ray.tfar[lane];
+    origins_.copy(reflected_count_, candidate_origins_, lane);
     if (++reflected_count_ == kPacketSize) {
       trace_collected();
     }

@@ -10,8 +10,8 @@
 #include "echo/cpu/water_returns.h"
 #include "echo/grid/echo_grid.h"
 #include "echo/mirror/secondary_echo.h"
+#include "echo/model/flat_plan.h"
 #include "echo/model/hit_column.h"
-#include "echo/model/ping_plan.h"
 
 namespace insonify {
 
@@ -29,7 +29,7 @@ class SecondaryTask {
   /// @param axes      The sonar's axes as columns: forward, port and up.
   /// @param arrivals  Receives echoes that may arrive in any beam.
   /// @param log       May be null.
-  void start(const PingPlan& plan, const Vec3f& sonar, const Eigen::Matrix3f& axes, EchoGrid& grid,
+  void start(const FlatPlan& plan, const Vec3f& sonar, const Eigen::Matrix3f& axes, EchoGrid& grid,
              std::vector<Echo>& arrivals, Log* log);
 
   /// Traces reflected rays from the selected hits of a strip, tile by tile, so that the rays of a packet are close
@@ -50,6 +50,8 @@ class SecondaryTask {
 
  private:
   void cull_and_trace(const HitColumn& strip);
+  unsigned turn_to_facets_and_edges(const HitColumn& strip, int count, const Mirrors& mirrors, EdgeLanes& edges);
+  void collect(unsigned lanes);
   void find_edges(const HitColumn& strip, int count, EdgeLanes& edges);
   void compute_ray_tubes(const HitColumn& strip, unsigned lanes);
   void trace_collected();
@@ -66,7 +68,7 @@ class SecondaryTask {
 
   WaterReturns by_water_;
   const CpuScene& scene_;
-  const PingPlan* plan_ = nullptr;
+  const FlatPlan* plan_ = nullptr;
   Vec3f sonar_;
   Eigen::Matrix3f axes_;
   EchoGrid* grid_ = nullptr;

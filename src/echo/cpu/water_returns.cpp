@@ -22,7 +22,7 @@ WaterReturns::WaterReturns(const CpuScene& scene) : scene_(scene) {
   }
 }
 
-void WaterReturns::start(const PingPlan& plan, const Vec3f& sonar, const Eigen::Matrix3f& axes, EchoGrid& grid,
+void WaterReturns::start(const FlatPlan& plan, const Vec3f& sonar, const Eigen::Matrix3f& axes, EchoGrid& grid,
                          std::vector<Echo>& arrivals, std::vector<RayPacket>* log) {
   plan_ = &plan;
   sonar_ = sonar.cast<double>();

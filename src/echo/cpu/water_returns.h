@@ -10,7 +10,7 @@
 #include "echo/laws/laws.h"
 #include "echo/mirror/secondary_echo.h"
 #include "echo/mirror/water_path.h"
-#include "echo/model/ping_plan.h"
+#include "echo/model/flat_plan.h"
 
 namespace insonify {
 
@@ -22,7 +22,7 @@ class WaterReturns {
 
   /// @param sonar, axes, arrivals  As SecondaryTask::start().
   /// @param log  Receives copies of the packets traced; may be null.
-  void start(const PingPlan& plan, const Vec3f& sonar, const Eigen::Matrix3f& axes, EchoGrid& grid,
+  void start(const FlatPlan& plan, const Vec3f& sonar, const Eigen::Matrix3f& axes, EchoGrid& grid,
              std::vector<Echo>& arrivals, std::vector<RayPacket>* log);
 
   /// Whether there are such paths at all.
@@ -55,7 +55,7 @@ class WaterReturns {
   ReciprocalEchoes echoes_[kPacketSize];
   int count_ = 0;
   const CpuScene& scene_;
-  const PingPlan* plan_ = nullptr;
+  const FlatPlan* plan_ = nullptr;
   Vec3 sonar_ = Vec3::Zero();
   Eigen::Matrix3f axes_ = Eigen::Matrix3f::Identity();
   EchoGrid* grid_ = nullptr;

@@ -18,7 +18,7 @@ void absorb(int count, float neper_per_metre, const float* __restrict__ strength
 
 }  // namespace
 
-void secondary_powers(const PingPlan& plan, int count, const float* strength, const float* rest, float* power) {
+void secondary_powers(const FlatPlan& plan, int count, const float* strength, const float* rest, float* power) {
   absorb(count, plan.neper_per_metre, strength, rest, power);
   plan.shape.apply(count, power, power);
 }

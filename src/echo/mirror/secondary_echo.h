@@ -3,8 +3,8 @@
 #pragma once
 
 #include "echo/grid/echo.h"
+#include "echo/model/flat_plan.h"
 #include "echo/model/hit_column.h"
-#include "echo/model/ping_plan.h"
 
 namespace insonify {
 
@@ -13,7 +13,7 @@ namespace insonify {
 /// @param selected     Number of hits that the reflected ray stands for.
 /// @param path_length  Length out, across and back [m].
 /// @param surface      The second surface.
-inline Echo secondary_echo(const PingPlan& plan, int column, int row, float selected, float path_length,
+inline Echo secondary_echo(const FlatPlan& plan, int column, int row, float selected, float path_length,
                            SurfaceLabel surface) {
   const Lattice& lattice = plan.lattice;
   return {.azimuth = lattice.azimuth[column],
@@ -34,8 +34,8 @@ struct ReciprocalEchoes {
 /// @param echo     secondary_echo() of the path, with its lengths.
 /// @param power    Without patterns.
 /// @param arrival  From the end of the path.
-inline ReciprocalEchoes reciprocal_echoes(const PingPlan& plan, int column, int row, const Echo& echo, float power,
-                                          const PingPlan::Arrival& arrival) {
+inline ReciprocalEchoes reciprocal_echoes(const FlatPlan& plan, int column, int row, const Echo& echo, float power,
+                                          const FlatPlan::Arrival& arrival) {
   ReciprocalEchoes echoes{echo, echo};
   echoes.launched.power = plan.reciprocal_power(column, row, power, arrival);
   echoes.arriving.power = plan.arriving_power(column, power, arrival);
@@ -48,6 +48,6 @@ inline ReciprocalEchoes reciprocal_echoes(const PingPlan& plan, int column, int 
 /// its path first, see paper_strength().
 /// @param strength  Product of the strengths of both surfaces; the first includes the loss of twice its range.
 /// @param rest      Length of the path less twice the range of the first surface [m].
-void secondary_powers(const PingPlan& plan, int count, const float* strength, const float* rest, float* power);
+void secondary_powers(const FlatPlan& plan, int count, const float* strength, const float* rest, float* power);
 
 }  // namespace insonify

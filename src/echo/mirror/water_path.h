@@ -46,7 +46,7 @@ struct WaterPath {
   double share;   ///< Coherent reflectance |R|^2 e^-g of the surface.
 
   /// None if the point or the sonar is not below the surface, or if waves make `share` negligible.
-  [[nodiscard]] static std::optional<WaterPath> of(const PingPlan& plan, const WaterPlane& water, const Vec3& sonar,
+  [[nodiscard]] static std::optional<WaterPath> of(const FlatPlan& plan, const WaterPlane& water, const Vec3& sonar,
                                                    const Vec3& point) {
     constexpr double kLeastShare = 1e-6;
     const double sonar_depth = water.level - sonar.z(), depth = water.level - point.z();
@@ -71,7 +71,7 @@ struct WaterPath {
 /// @param normal     Unit normal of the second surface, of either sign.
 /// @param direction  Unit vector from the mirror to the second surface.
 /// @param there      Length from the sonar over the mirror to the second surface [m].
-[[nodiscard]] inline double water_intensity(const PingPlan& plan, const WaterPath& path, const Scattering& second,
+[[nodiscard]] inline double water_intensity(const FlatPlan& plan, const WaterPath& path, const Scattering& second,
                                             double texture, double reflected, const Vec3& normal, const Vec3& direction,
                                             double there) {
   const double in = -normal.dot(direction), out = normal.dot(path.out);
@@ -95,7 +95,7 @@ struct WaterPath {
 }
 
 /// Weight of a second hit's paths over the water's surface: with `secondary: selective` one_in_four(), else 1.
-[[nodiscard]] inline float water_weight(const PingPlan& plan, int column, int row) {
+[[nodiscard]] inline float water_weight(const FlatPlan& plan, int column, int row) {
   return plan.secondary == SecondaryEchoes::kSelective
              ? one_in_four(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row), plan.stagger)
              : 1.0F;

@@ -91,7 +91,7 @@ void finish(Run<kTruth>& run, SurfaceSums& sums, SurfaceLabel surface, int beam,
 
 // Position [bins] of a sample's tangent plane in the direction (cos_end, sin_end). If the sample is not joined to the
 // neighbour on its other side, `behind`, nothing shows that the surface continues: then the position of the sample.
-float plane_end(const PingPlan& plan, const HitColumn& hits, const FootprintSegments& segments, int row, int behind,
+float plane_end(const FlatPlan& plan, const HitColumn& hits, const FootprintSegments& segments, int row, int behind,
                 float cos_here, float sin_here, float cos_end, float sin_end) {
   const float here = segments.position[row];
   if (behind < 0 || behind >= plan.lattice.rows || segments.joined[std::min(row, behind)] == 0) {
@@ -120,7 +120,7 @@ struct End {
 // range, not because the surface ends. Then the segment extends to `next`, and its power continues to change as it does
 // from the sample `behind`.
 INSONIFY_VECTOR_CLONES
-FootprintSegment open_segment(const PingPlan& plan, int column, const HitColumn& hits,
+FootprintSegment open_segment(const FlatPlan& plan, int column, const HitColumn& hits,
                               const FootprintSegments& segments, int row, int behind, End end, float weight,
                               const End* next = nullptr, float weight_to_next = 0) {
   const float here = segments.position[row];
@@ -160,7 +160,7 @@ FootprintSegment open_segment(const PingPlan& plan, int column, const HitColumn&
 // - where two samples are not joined, from each half-way to the other;
 // - above the last sample, up to the edge of the aperture.
 template <GroundTruth kTruth>
-[[gnu::always_inline]] inline void deposit_samples(const PingPlan& plan, int column, const HitColumn& hits,
+[[gnu::always_inline]] inline void deposit_samples(const FlatPlan& plan, int column, const HitColumn& hits,
                                                    const FootprintSegments& segments, SurfaceSums& sums,
                                                    EchoGrid& grid) {
   const Lattice& lattice = plan.lattice;
@@ -211,7 +211,7 @@ template <GroundTruth kTruth>
 }
 
 // Solid angle of the samples of a column that hit something nearer than bin 0, without what passes through [sr].
-float met_before(const PingPlan& plan, int column, const HitColumn& hits, const FootprintSegments& segments) {
+float met_before(const FlatPlan& plan, int column, const HitColumn& hits, const FootprintSegments& segments) {
   const float* interval = plan.lattice.intervals(column);
   const int rows = plan.lattice.rows;
   float met = 0;
@@ -225,26 +225,26 @@ float met_before(const PingPlan& plan, int column, const HitColumn& hits, const 
 }
 
 INSONIFY_VECTOR_CLONES
-void deposit_labelled(const PingPlan& plan, int column, const HitColumn& hits, const FootprintSegments& segments,
+void deposit_labelled(const FlatPlan& plan, int column, const HitColumn& hits, const FootprintSegments& segments,
                       SurfaceSums& sums, EchoGrid& grid) {
   deposit_samples<GroundTruth::kLabels>(plan, column, hits, segments, sums, grid);
 }
 
 INSONIFY_VECTOR_CLONES
-void deposit_unlabelled(const PingPlan& plan, int column, const HitColumn& hits, const FootprintSegments& segments,
+void deposit_unlabelled(const FlatPlan& plan, int column, const HitColumn& hits, const FootprintSegments& segments,
                         SurfaceSums& sums, EchoGrid& grid) {
   deposit_samples<GroundTruth::kNone>(plan, column, hits, segments, sums, grid);
 }
 
 INSONIFY_VECTOR_CLONES
-void deposit_tallied(const PingPlan& plan, int column, const HitColumn& hits, const FootprintSegments& segments,
+void deposit_tallied(const FlatPlan& plan, int column, const HitColumn& hits, const FootprintSegments& segments,
                      SurfaceSums& sums, EchoGrid& grid) {
   deposit_samples<GroundTruth::kFull>(plan, column, hits, segments, sums, grid);
 }
 
 }  // namespace
 
-void deposit_column(const PingPlan& plan, int column, const HitColumn& hits, const FootprintSegments& segments,
+void deposit_column(const FlatPlan& plan, int column, const HitColumn& hits, const FootprintSegments& segments,
                     SurfaceSums& sums, EchoGrid& grid) {
   if (grid.ground_truth() == GroundTruth::kFull) {
     deposit_tallied(plan, column, hits, segments, sums, grid);

@@ -5,8 +5,8 @@
 #include "echo/grid/echo.h"
 #include "echo/grid/echo_grid.h"
 #include "echo/grid/surface_run.h"
+#include "echo/model/flat_plan.h"
 #include "echo/model/hit_column.h"
-#include "echo/model/ping_plan.h"
 
 namespace insonify {
 
@@ -15,11 +15,11 @@ namespace insonify {
 /// own tangent plane half-way to the other; that of the first and the last sample continues to the edge of the
 /// aperture.
 /// @param sums  Scratch memory, prepared for the grid's bins.
-void deposit_column(const PingPlan& plan, int column, const HitColumn& hits, const FootprintSegments& segments,
+void deposit_column(const FlatPlan& plan, int column, const HitColumn& hits, const FootprintSegments& segments,
                     SurfaceSums& sums, EchoGrid& grid);
 
 /// Adds one secondary echo, spread about half of its path length, to the beam it arrives in. Echoes outside the fan or
 /// the range window are dropped.
-void deposit(const PingPlan& plan, const Echo& echo, EchoGrid& grid);
+void deposit(const FlatPlan& plan, const Echo& echo, EchoGrid& grid);
 
 }  // namespace insonify

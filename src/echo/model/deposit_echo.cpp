@@ -50,7 +50,7 @@ template <typename Label, typename Value>
 
 }  // namespace
 
-void deposit(const PingPlan& plan, const Echo& echo, EchoGrid& grid) {
+void deposit(const FlatPlan& plan, const Echo& echo, EchoGrid& grid) {
   const int beam = plan.beam_of(echo.azimuth);
   const float middle = (0.5F * echo.path_length - plan.first_bin_at) * plan.bins_per_metre;
   const auto bins = static_cast<float>(plan.bin_count);

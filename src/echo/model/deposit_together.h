@@ -13,7 +13,7 @@ namespace insonify {
 /// number of workers.
 /// @param for_each_echo  Calls its argument with each echo, in order; called by several threads.
 template <typename ForEachEcho>
-void deposit_together(const PingPlan& plan, Workers& workers, EchoGrid& grid, const ForEachEcho& for_each_echo) {
+void deposit_together(const FlatPlan& plan, Workers& workers, EchoGrid& grid, const ForEachEcho& for_each_echo) {
   constexpr int kTasksAWorker = 4;
   const int beams = plan.beam_count;
   const int tasks = workers.count() == 1 ? 1 : std::min(beams, kTasksAWorker * workers.count());

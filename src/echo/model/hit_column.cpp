@@ -214,11 +214,11 @@ void aim_column(const Lattice& lattice, int column, const ColumnAxes& axes, cons
   }
 }
 
-void make_normals_unit(const PingPlan& plan, const HitColumn& hits) {
+void make_normals_unit(const FlatPlan& plan, const HitColumn& hits) {
   normalise(evaluated_rows(plan.lattice, hits), hits.normal_x, hits.normal_y, hits.normal_z);
 }
 
-void measure_column(const PingPlan& plan, int column, const ColumnAxes& axes, const HitColumn& hits,
+void measure_column(const FlatPlan& plan, int column, const ColumnAxes& axes, const HitColumn& hits,
                     FootprintSegments& segments) {
   const Lattice& lattice = plan.lattice;
   Rows rows = rows_of(lattice, column);
@@ -248,7 +248,7 @@ void measure_column(const PingPlan& plan, int column, const ColumnAxes& axes, co
   }
 }
 
-void fill_powers(const PingPlan& plan, const HitColumn& hits) {
+void fill_powers(const FlatPlan& plan, const HitColumn& hits) {
   const int rows = evaluated_rows(plan.lattice, hits);
   if (plan.model == EchoModel::kCalibrated) {
     plan.scatter.fill_powers(rows, plan.neper_per_metre, hits);
@@ -258,7 +258,7 @@ void fill_powers(const PingPlan& plan, const HitColumn& hits) {
   }
 }
 
-void finish_column(const PingPlan& plan, SecondarySampling sampling, int column, const HitColumn& hits,
+void finish_column(const FlatPlan& plan, SecondarySampling sampling, int column, const HitColumn& hits,
                    FootprintSegments& segments) {
   const Lattice& lattice = plan.lattice;
   const int rows = evaluated_rows(lattice, hits);
@@ -273,7 +273,7 @@ void finish_column(const PingPlan& plan, SecondarySampling sampling, int column,
   select_hits(plan, sampling, column, rows, hits, segments.turned.data());
 }
 
-void evaluate_column(const PingPlan& plan, SecondarySampling sampling, int column, const ColumnAxes& axes,
+void evaluate_column(const FlatPlan& plan, SecondarySampling sampling, int column, const ColumnAxes& axes,
                      const LeftOut* left_out, HitColumn& hits, FootprintSegments& segments) {
   measure_column(plan, column, axes, hits, segments);
   find_passing(plan, hits);

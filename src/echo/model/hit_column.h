@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "echo/grid/echo.h"
-#include "echo/model/ping_plan.h"
+#include "echo/model/flat_plan.h"
 #include "echo/model/secondary_sampling.h"
 
 namespace insonify {
@@ -102,28 +102,28 @@ ColumnAxes column_axes(const Lattice& lattice, int column, const Eigen::Matrix3f
 void aim_column(const Lattice& lattice, int column, const ColumnAxes& axes, const HitColumn& hits);
 
 /// Makes the normals of a column's hits unit length.
-void make_normals_unit(const PingPlan& plan, const HitColumn& hits);
+void make_normals_unit(const FlatPlan& plan, const HitColumn& hits);
 
 struct LeftOut;
 
 /// Computes everything that follows from the hits of column `column` of the lattice: measure_column(), find_passing()
 /// and weaken_behind() where the plan sees through surfaces, fill_powers(), leave_out() unless `left_out` is null, and
 /// finish_column(), one after another. Normals are unit length.
-void evaluate_column(const PingPlan& plan, SecondarySampling sampling, int column, const ColumnAxes& axes,
+void evaluate_column(const FlatPlan& plan, SecondarySampling sampling, int column, const ColumnAxes& axes,
                      const LeftOut* left_out, HitColumn& hits, FootprintSegments& segments);
 
 /// Geometry of the column: finds which neighbours lie on one unbroken surface, and tilts the normals by the relief.
 /// Fills in `facing`, `escapes` and the per-sample values of the segments, which are those of the surface without its
 /// relief.
-void measure_column(const PingPlan& plan, int column, const ColumnAxes& axes, const HitColumn& hits,
+void measure_column(const FlatPlan& plan, int column, const ColumnAxes& axes, const HitColumn& hits,
                     FootprintSegments& segments);
 
 /// Fills in `power`, and in the `paper` model `strength`: paper_strength() with PaperModel::shape(), or
 /// primary_intensity().
-void fill_powers(const PingPlan& plan, const HitColumn& hits);
+void fill_powers(const FlatPlan& plan, const HitColumn& hits);
 
 /// Fills in the segments between neighbours, and `selected`.
-void finish_column(const PingPlan& plan, SecondarySampling sampling, int column, const HitColumn& hits,
+void finish_column(const FlatPlan& plan, SecondarySampling sampling, int column, const HitColumn& hits,
                    FootprintSegments& segments);
 
 /// Rows of a column that are evaluated: those up to the last hit and one more, which ends the last segment.

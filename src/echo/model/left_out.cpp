@@ -39,7 +39,7 @@ void take_off_lobe(int count, const GlintLobe& of_material, const float* __restr
 }
 
 // The same for the samples of rows [first, last), which are on one surface.
-void take_off_lobes(const PingPlan& plan, const std::uint8_t* glinting, int first, int last, const HitColumn& hits) {
+void take_off_lobes(const FlatPlan& plan, const std::uint8_t* glinting, int first, int last, const HitColumn& hits) {
   constexpr int kBlock = 64;
   const ScatterTable::Laws laws = plan.scatter.laws();
   const SurfaceLabel surface = hits.surface[first];
@@ -59,7 +59,7 @@ void take_off_lobes(const PingPlan& plan, const std::uint8_t* glinting, int firs
 
 }  // namespace
 
-float thin_per_metre(const PingPlan& plan) {
+float thin_per_metre(const FlatPlan& plan) {
   constexpr float kSamples = 4;
   const Lattice& lattice = plan.lattice;
   const int middle = lattice.columns / 2;
@@ -70,7 +70,7 @@ float thin_per_metre(const PingPlan& plan) {
   return kSamples * std::max(rows, lattice.column_width[middle]);
 }
 
-void leave_out(const LeftOut& left_out, const PingPlan& plan, const HitColumn& hits) {
+void leave_out(const LeftOut& left_out, const FlatPlan& plan, const HitColumn& hits) {
   const float per_metre = thin_per_metre(plan);
   const int rows = std::min(hits.rows, plan.lattice.rows);
   for (int first = 0, last = 0; first < rows; first = last) {

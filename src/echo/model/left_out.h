@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "echo/model/flat_plan.h"
 #include "echo/model/hit_column.h"
-#include "echo/model/ping_plan.h"
 
 namespace insonify {
 
@@ -25,9 +25,9 @@ struct LeftOut {
 
 /// Thickness per metre of range below which a part is too thin for the lattice: four samples. The echo of thicker
 /// curved bodies does not depend on their position among the samples (docs/concepts/scattering.md, "Curved surfaces").
-[[nodiscard]] float thin_per_metre(const PingPlan& plan);
+[[nodiscard]] float thin_per_metre(const FlatPlan& plan);
 
 /// Subtracts the removed echoes from HitColumn::power.
-void leave_out(const LeftOut& left_out, const PingPlan& plan, const HitColumn& hits);
+void leave_out(const LeftOut& left_out, const FlatPlan& plan, const HitColumn& hits);
 
 }  // namespace insonify

@@ -145,12 +145,15 @@ NormalTurns::Differences NormalTurns::differences(int which) {
   return {at, at + stride_, at + 2 * stride_, at + 3 * stride_};
 }
 
-void NormalTurns::find(const PingPlan& plan, int first, std::span<HitColumn> strip) {
-  assert(first % kColumns == 0 && strip.size() <= kColumns);
-  const int count = static_cast<int>(strip.size()), rows = evaluated_rows(plan.lattice, strip[0]);
-  float most = 0;
+void NormalTurns::Differences::clear(int rows) const {
+  for (float* const values : {x, y, z, joined}) {
+    std::fill_n(values, rows, 0.0F);
+  }
+}
 
-  // From row to row. The first and the last difference of a column stay 0.
+// From row to row. The first and the last difference of a column are 0.
+float NormalTurns::find_up(int rows, std::span<HitColumn> strip) {
+  float most = 0;
   const Differences along = differences(kColumns);
   for (const HitColumn& hits : strip) {
     most = std::max(most, subtract_rows(rows - 1, Samples(hits), Samples(hits, 1), along.x + 1, along.y + 1,
@@ -161,31 +164,31 @@ void NormalTurns::find(const PingPlan& plan, int first, std::span<HitColumn> str
     average_between(rows, along.x, along.y, along.z, along.joined, along.x + 1, along.y + 1, along.z + 1,
                     along.joined + 1, hits.turn_up_x, hits.turn_up_y, hits.turn_up_z);
   }
+  return most;
+}
 
-  // From column to column, where the next one is, and beside it.
-  for (int i = 0; i + 1 < count; ++i) {
+// Differences from column to column, 0 where the next one is not beside it.
+float NormalTurns::subtract_across(const Lattice& lattice, int first, int rows, std::span<HitColumn> strip) {
+  float most = 0;
+  for (int i = 0; i + 1 < static_cast<int>(strip.size()); ++i) {
     const HitColumn& hits = strip[i];
     const Differences across = differences(i);
-    if (!plan.lattice.touches_next(first + i)) {
-      for (float* const values : {across.x, across.y, across.z, across.joined}) {
-        std::fill_n(values, rows, 0.0F);
-      }
+    if (!lattice.touches_next(first + i)) {
+      across.clear(rows);
       continue;
     }
     most = std::max(most, subtract_columns(rows, Samples(hits), Samples(strip[i + 1]),
-                                           stagger_between(plan.lattice, first + i), hits.turn_up_x, hits.turn_up_y,
+                                           stagger_between(lattice, first + i), hits.turn_up_x, hits.turn_up_y,
                                            hits.turn_up_z, across.x, across.y, across.z, across.joined));
   }
-  for (HitColumn& hits : strip) {
-    hits.curved = most > kFlat * kFlat;
-  }
-  if (!strip[0].curved) {
-    return;
-  }
+  return most;
+}
+
+// The mean of the differences to both neighbours; at the strip's edges, of those to the two on one side.
+void NormalTurns::find_side(const Lattice& lattice, int first, int rows, std::span<HitColumn> strip) {
+  const int count = static_cast<int>(strip.size());
   const Differences none = differences(kColumns);
-  for (float* const values : {none.x, none.y, none.z, none.joined}) {
-    std::fill_n(values, rows, 0.0F);
-  }
+  none.clear(rows);
   for (int i = 0; i < count; ++i) {
     const bool at_edge = i == 0 || i + 1 == count;
     const int near = i == 0 ? 0 : i - 1, far = i == 0 ? 1 : at_edge ? i - 2 : i;
@@ -195,10 +198,22 @@ void NormalTurns::find(const PingPlan& plan, int first, std::span<HitColumn> str
     const auto mean = at_edge ? average_beyond : average_between;
     mean(rows, a.x, a.y, a.z, a.joined, b.x, b.y, b.z, b.joined, hits.turn_side_x, hits.turn_side_y, hits.turn_side_z);
     const int column = first + i;
-    add_turns_as_along(rows, plan.lattice.column_width[column], plan.lattice.elevations(column),
-                       plan.lattice.cosines(column), a.joined, at_edge ? a.joined : b.joined, hits.normal_x,
-                       hits.normal_y, hits.normal_z, hits.turn_up_x, hits.turn_up_y, hits.turn_up_z, hits.turn_side_x,
-                       hits.turn_side_y, hits.turn_side_z);
+    add_turns_as_along(rows, lattice.column_width[column], lattice.elevations(column), lattice.cosines(column),
+                       a.joined, at_edge ? a.joined : b.joined, hits.normal_x, hits.normal_y, hits.normal_z,
+                       hits.turn_up_x, hits.turn_up_y, hits.turn_up_z, hits.turn_side_x, hits.turn_side_y,
+                       hits.turn_side_z);
+  }
+}
+
+void NormalTurns::find(const FlatPlan& plan, int first, std::span<HitColumn> strip) {
+  assert(first % kColumns == 0 && strip.size() <= kColumns);
+  const int rows = evaluated_rows(plan.lattice, strip[0]);
+  const float up = find_up(rows, strip), across = subtract_across(plan.lattice, first, rows, strip);
+  for (HitColumn& hits : strip) {
+    hits.curved = std::max(up, across) > kFlat * kFlat;
+  }
+  if (strip[0].curved) {
+    find_side(plan.lattice, first, rows, strip);
   }
 }
 

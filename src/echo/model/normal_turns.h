@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "echo/model/flat_plan.h"
 #include "echo/model/hit_column.h"
-#include "echo/model/ping_plan.h"
 
 namespace insonify {
 
@@ -27,15 +27,21 @@ class NormalTurns {
   /// narrower than two columns or reaches into the strip by one, turn across as much as along: as on a sphere.
   /// @param first  Index of the first column in the lattice, a multiple of kColumns.
   /// @param strip  At most kColumns columns, evaluated up to the same row, with unit normals.
-  void find(const PingPlan& plan, int first, std::span<HitColumn> strip);
+  void find(const FlatPlan& plan, int first, std::span<HitColumn> strip);
 
  private:
   // Differences of the normals of neighbouring samples, and whether (1 or 0) both lie on one smooth surface. Where they
   // do not, the differences are 0.
   struct Differences {
     float *x, *y, *z, *joined;
+    void clear(int rows) const;
   };
   [[nodiscard]] Differences differences(int which);
+
+  // Parts of find(). The first two return the greatest square of a difference.
+  float find_up(int rows, std::span<HitColumn> strip);
+  float subtract_across(const Lattice& lattice, int first, int rows, std::span<HitColumn> strip);
+  void find_side(const Lattice& lattice, int first, int rows, std::span<HitColumn> strip);
 
   std::size_t stride_ = 0;
   std::vector<float> values_;

@@ -117,7 +117,7 @@ class ScatterTable : private ScatterNumbers {
     return here + (place - static_cast<float>(node)) * (by_angle[at + 1] - here);
   }
 
-  /// See PingPlan::visit_parts().
+  /// See FlatPlan::visit_parts().
   template <typename Self, typename Numbers, typename Table>
   static void visit_parts(Self& self, const Numbers& numbers, const Table& table) {
     numbers(static_cast<std::conditional_t<std::is_const_v<Self>, const ScatterNumbers&, ScatterNumbers&>>(self));

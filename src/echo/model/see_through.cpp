@@ -19,7 +19,7 @@ void pass_on(int rows, const float* __restrict__ reached, float* __restrict__ tr
 
 }  // namespace
 
-void find_passing(const PingPlan& plan, HitColumn& hits) {
+void find_passing(const FlatPlan& plan, HitColumn& hits) {
   if (!plan.sees_through()) {
     return;
   }
@@ -32,7 +32,7 @@ void find_passing(const PingPlan& plan, HitColumn& hits) {
   hits.passing = hits.passing || any_passes_on(plan, hits);
 }
 
-void weaken_behind(const PingPlan& plan, const HitColumn& hits) {
+void weaken_behind(const FlatPlan& plan, const HitColumn& hits) {
   if (!hits.passing) {
     return;
   }
@@ -42,7 +42,7 @@ void weaken_behind(const PingPlan& plan, const HitColumn& hits) {
   }
 }
 
-bool any_passes_on(const PingPlan& plan, const HitColumn& hits) {
+bool any_passes_on(const FlatPlan& plan, const HitColumn& hits) {
   const int rows = evaluated_rows(plan.lattice, hits);
   for (int row = 0; row < rows; ++row) {
     if (hits.passed[row] > 0) {

@@ -53,7 +53,7 @@ void share_out_reflectance(int rows, const float* __restrict__ sent, float scale
 
 // `calibrated`: the probability is the square root of the energy that a hit reflects, |R|^2 times the solid angle of
 // its sample weighted by the pattern on transmission, re kFullEnergy times the greatest solid angle of the column.
-void share_out_energy(const PingPlan& plan, int column, int rows, const HitColumn& hits, float* share,
+void share_out_energy(const FlatPlan& plan, int column, int rows, const HitColumn& hits, float* share,
                       std::uint32_t* turn) {
   const float* const sent = plan.lattice.shares(column);
   const float most = *std::max_element(sent, sent + plan.lattice.rows);
@@ -68,7 +68,7 @@ void share_out_energy(const PingPlan& plan, int column, int rows, const HitColum
 }
 
 // Systematic sampling, see select_hits().
-void select_some(const PingPlan& plan, int column, int rows, const HitColumn& hits, std::uint32_t* turned) {
+void select_some(const FlatPlan& plan, int column, int rows, const HitColumn& hits, std::uint32_t* turned) {
   if (plan.model == EchoModel::kCalibrated) {
     share_out_energy(plan, column, rows, hits, hits.selected, turned);
   } else {
@@ -86,7 +86,7 @@ void select_some(const PingPlan& plan, int column, int rows, const HitColumn& hi
 
 }  // namespace
 
-void select_hits(const PingPlan& plan, SecondarySampling sampling, int column, int rows, const HitColumn& hits,
+void select_hits(const FlatPlan& plan, SecondarySampling sampling, int column, int rows, const HitColumn& hits,
                  std::uint32_t* turned) {
   if (sampling == SecondarySampling::kAll) {
     for (int row = 0; row < rows; ++row) {

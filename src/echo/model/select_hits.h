@@ -14,7 +14,7 @@ namespace insonify {
 /// selected hits are evenly spaced over a surface, and a static scene gives the same ping again.
 ///
 /// @param turned  Scratch memory for `rows` values: the sum of p modulo 1, in units of 2^-32.
-void select_hits(const PingPlan& plan, SecondarySampling sampling, int column, int rows, const HitColumn& hits,
+void select_hits(const FlatPlan& plan, SecondarySampling sampling, int column, int rows, const HitColumn& hits,
                  std::uint32_t* turned);
 
 }  // namespace insonify

@@ -24,7 +24,7 @@ constexpr int kLeastProbes = 8, kMostProbes = 64;
 constexpr std::uint32_t kGoldenTurn = 2654435769U;
 
 // Columns are evenly spaced from port to starboard; rows follow the golden section, which spaces them evenly too.
-Ray probe_ray(const PingPlan& plan, const Pose& world_from_sonar, int probe, int probes) {
+Ray probe_ray(const FlatPlan& plan, const Pose& world_from_sonar, int probe, int probes) {
   const Lattice& lattice = plan.lattice;
   const int column =
       static_cast<int>((2 * static_cast<std::int64_t>(probe) + 1) * lattice.columns / (2 * std::int64_t{probes}));
@@ -49,7 +49,7 @@ struct alignas(64) ReflectedProbes {
 };
 
 // Sets one lane to the reflected ray of a hit.
-void set_reflected(const PingPlan& plan, const Ray& ray, const Hit& hit, const Vec3& origin, int lane,
+void set_reflected(const FlatPlan& plan, const Ray& ray, const Hit& hit, const Vec3& origin, int lane,
                    ReflectedProbes& probes) {
   const Vec3f from = (ray.origin + hit.distance * ray.direction - origin).cast<float>();
   const Vec3f reflected = (ray.direction - 2 * ray.direction.dot(hit.normal) * hit.normal).cast<float>();
@@ -66,7 +66,7 @@ void set_reflected(const PingPlan& plan, const Ray& ray, const Hit& hit, const V
 
 }  // namespace
 
-std::span<const Ray> SamplingProbes::aim(const PingPlan& plan, const Pose& world_from_sonar) {
+std::span<const Ray> SamplingProbes::aim(const FlatPlan& plan, const Pose& world_from_sonar) {
   rays_.clear();
   if (plan.secondary == SecondaryEchoes::kSelective) {
     const std::int64_t samples = std::int64_t{plan.lattice.columns} * plan.lattice.rows;
@@ -81,7 +81,7 @@ std::span<const Ray> SamplingProbes::aim(const PingPlan& plan, const Pose& world
   return rays_;
 }
 
-SecondarySampling SamplingProbes::choose(const PingPlan& plan, const Vec3& origin, const BoxCut& boxes) const {
+SecondarySampling SamplingProbes::choose(const FlatPlan& plan, const Vec3& origin, const BoxCut& boxes) const {
   if (plan.secondary != SecondaryEchoes::kSelective) {
     return plan.secondary == SecondaryEchoes::kAll ? SecondarySampling::kAll : SecondarySampling::kNone;
   }

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "echo/model/flat_plan.h"
 #include "echo/model/hit.h"
-#include "echo/model/ping_plan.h"
 #include "echo/model/secondary_sampling.h"
 #include "echo/rays/box_cut.h"
 
@@ -21,14 +21,14 @@ class SamplingProbes {
  public:
   /// Sets up the probes of a ping. Allocates only at the first call.
   /// @return Rays for the engine to trace; none if the plan alone decides.
-  [[nodiscard]] std::span<const Ray> aim(const PingPlan& plan, const Pose& world_from_sonar);
+  [[nodiscard]] std::span<const Ray> aim(const FlatPlan& plan, const Pose& world_from_sonar);
 
   /// The engine writes the hits of the rays here.
   [[nodiscard]] std::span<Hit> hits() { return hits_; }
 
   /// The choice for the ping that aim() was called for.
   /// @param origin  World position that the boxes are relative to.
-  [[nodiscard]] SecondarySampling choose(const PingPlan& plan, const Vec3& origin, const BoxCut& boxes) const;
+  [[nodiscard]] SecondarySampling choose(const FlatPlan& plan, const Vec3& origin, const BoxCut& boxes) const;
 
  private:
   std::vector<Ray> rays_;

@@ -22,7 +22,7 @@ Vec3 ColumnFrame::direction(const Lattice& lattice, int column, int row) const {
   return (along * double{lattice.cosines(column)[row]} + up * double{lattice.sines(column)[row]} + beside).normalized();
 }
 
-ReferenceColumn::ReferenceColumn(const TriangleScene& scene, const LeftOut* left_out, const PingPlan& plan,
+ReferenceColumn::ReferenceColumn(const TriangleScene& scene, const LeftOut* left_out, const FlatPlan& plan,
                                  SecondarySampling sampling, int column, const Pose& world_from_sonar)
     : scene_(scene),
       left_out_(left_out),

@@ -31,7 +31,7 @@ struct ColumnFrame {
 class ReferenceColumn {
  public:
   /// @param left_out  What of primary echoes is left out; null: nothing.
-  ReferenceColumn(const TriangleScene& scene, const LeftOut* left_out, const PingPlan& plan, SecondarySampling sampling,
+  ReferenceColumn(const TriangleScene& scene, const LeftOut* left_out, const FlatPlan& plan, SecondarySampling sampling,
                   int column, const Pose& world_from_sonar);
 
   /// Traces the primary rays. The normals of the hits are unit length.
@@ -85,7 +85,7 @@ class ReferenceColumn {
 
   const TriangleScene& scene_;
   const LeftOut* left_out_;
-  const PingPlan& plan_;
+  const FlatPlan& plan_;
   SecondarySampling sampling_;
   int column_, rows_;
   Pose world_from_sonar_;

@@ -16,7 +16,7 @@ namespace {
 constexpr int kBeamsTogether = NormalTurns::kColumns;
 
 // Compares the normals of neighbouring columns.
-void find_turns(const PingPlan& plan, int first, std::span<ReferenceColumn> columns) {
+void find_turns(const FlatPlan& plan, int first, std::span<ReferenceColumn> columns) {
   if (plan.model != EchoModel::kCalibrated) {
     return;
   }
@@ -33,7 +33,7 @@ void find_turns(const PingPlan& plan, int first, std::span<ReferenceColumn> colu
 }
 
 // Adds the echoes from behind surfaces that let sound through.
-void insonify_behind(const PingPlan& plan, int first, std::span<ReferenceColumn> columns, const Workers& workers,
+void insonify_behind(const FlatPlan& plan, int first, std::span<ReferenceColumn> columns, const Workers& workers,
                      EchoGrid& grid) {
   for (int passed = 0; passed < kMostPassed && std::ranges::any_of(columns, &ReferenceColumn::passes_on); ++passed) {
     for (ReferenceColumn& column : columns) {
@@ -115,7 +115,7 @@ void ReferenceEngine::trace(std::span<const RayRun> runs) {
   }
 }
 
-SecondarySampling ReferenceEngine::choose_sampling(const PingPlan& plan, const Pose& world_from_sonar) {
+SecondarySampling ReferenceEngine::choose_sampling(const FlatPlan& plan, const Pose& world_from_sonar) {
   const std::span<const Ray> rays = probes_.aim(plan, world_from_sonar);
   trace(rays, probes_.hits());
   return probes_.choose(plan, origin_, boxes_);
@@ -125,7 +125,7 @@ RayCounts ReferenceEngine::insonify(const PingView& view, EchoGrid& grid) {
   if (view.placement != nullptr) {
     place(*view.placement);
   }
-  const PingPlan& plan = *view.plan;
+  const FlatPlan& plan = *view.plan;
   const Pose& world_from_sonar = view.world_from_sonar;
   const int beams = plan.beam_count, per_beam = plan.lattice.columns_per_beam;
   const SecondarySampling sampling = choose_sampling(plan, world_from_sonar);

@@ -32,7 +32,7 @@ class ReferenceEngine final : public Engine {
 
  private:
   void move(int instance, const Pose& world_from_mesh);
-  SecondarySampling choose_sampling(const PingPlan& plan, const Pose& world_from_sonar);
+  SecondarySampling choose_sampling(const FlatPlan& plan, const Pose& world_from_sonar);
 
   Workers& workers_;
   TriangleScene scene_;

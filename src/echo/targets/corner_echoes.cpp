@@ -14,7 +14,7 @@ namespace {
 constexpr double kLeastSine = 0.01;
 
 // Product of the coherent reflectances of the three mirrors.
-double reflectance_of(const PingPlan& plan, const Corner& corner, const Vec3& sight) {
+double reflectance_of(const FlatPlan& plan, const Corner& corner, const Vec3& sight) {
   double share = 1;
   for (int k = 0; k < 3; ++k) {
     share *= coherent_reflectance(plan, corner.surfaces[k], sight[k]);
@@ -36,13 +36,13 @@ bool has_water(const Corner& corner) {
 
 CornerEchoes::CornerEchoes(std::shared_ptr<const std::vector<Corner>> corners) : corners_(std::move(corners)) {}
 
-bool CornerEchoes::act(const std::vector<Corner>& corners, const PingPlan& plan) {
+bool CornerEchoes::act(const std::vector<Corner>& corners, const FlatPlan& plan) {
   return !corners.empty() && plan.secondary != SecondaryEchoes::kNone && plan.max_surfaces >= 3;
 }
 
 void CornerEchoes::ask(const PingView& view, Workers&, RayList& rays) {
   openings_.clear();
-  const PingPlan& plan = *view.plan;
+  const FlatPlan& plan = *view.plan;
   const Pose sonar_from_world = view.world_from_sonar.inverse();
   for (const Corner& corner : *corners_) {
     const Pose frame = corner.instance < 0 ? Pose{} : (*view.placement)[corner.instance];
@@ -62,7 +62,7 @@ void CornerEchoes::ask(const PingView& view, Workers&, RayList& rays) {
 }
 
 void CornerEchoes::answer(const PingView& view, const RayAnswers& hits, Workers&, RayList&, EchoList& found) {
-  const PingPlan& plan = *view.plan;
+  const FlatPlan& plan = *view.plan;
   for (std::size_t i = 0; i < hits.sights.size(); ++i) {
     if (!hits.is_clear(i)) {
       continue;

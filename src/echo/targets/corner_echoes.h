@@ -20,7 +20,7 @@ class CornerEchoes final : public EchoSource {
   explicit CornerEchoes(std::shared_ptr<const std::vector<Corner>> corners);
 
   /// Whether there are corners, and `secondary` and `max_surfaces` of the plan allow paths over three surfaces.
-  [[nodiscard]] static bool act(const std::vector<Corner>& corners, const PingPlan& plan);
+  [[nodiscard]] static bool act(const std::vector<Corner>& corners, const FlatPlan& plan);
 
   void ask(const PingView& view, Workers& workers, RayList& rays) override;
   void answer(const PingView& view, const RayAnswers& hits, Workers& workers, RayList& more, EchoList& found) override;
@@ -31,7 +31,7 @@ class CornerEchoes final : public EchoSource {
     const Corner* corner;
     Vec3 sight;  // Unit vector from the apex to the sonar, along the corner's axes.
     double range;
-    PingPlan::Arrival arrival;
+    FlatPlan::Arrival arrival;
   };
 
   std::shared_ptr<const std::vector<Corner>> corners_;

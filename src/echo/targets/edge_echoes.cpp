@@ -43,6 +43,45 @@ void find_broadside(int count, float x, float y, float z, float wavelength, cons
   }
 }
 
+// S of wedge_backscatter() for an edge, and the share of it that roughness leaves coherent.
+struct EdgeScattering {
+  double scattered, share;
+};
+
+// @param angle     Of the sonar about the edge from its first face.
+// @param distance  From the sonar to the edge's line [m].
+// @param range     From the sonar to the edge's nearest point [m].
+// @param shown     1 for faces whose glints are shown, which include their terms of the edge.
+EdgeScattering edge_scattering(const FlatPlan& plan, const StraightEdges::Edge& edge, double angle, double distance,
+                               double range, std::span<const std::uint8_t> shown) {
+  double roughness = 0, passed = 0;
+  std::array<WedgeFace, 2> faces;
+  for (int k = 0; k < 2; ++k) {
+    const StraightEdges::Side& side = edge.sides[k];
+    const Scattering& scattering = plan.scatter.scattering(side.surface);
+    faces[k].angle = k == 0 ? angle : edge.exterior * std::numbers::pi - angle;
+    const double cosine = std::min(std::abs(std::sin(faces[k].angle)) * distance / range, 1.0);
+    const bool mirrors =
+        side.face == StraightEdges::kNoGlint
+            ? std::abs(std::tan(0.5 * std::numbers::pi - faces[k].angle)) < kLobe * scattering.rms_slope
+            : shown[side.face] != 0;
+    faces[k].reflection = mirrors ? 0 : side.sign * std::sqrt(scattering.reflectance(cosine));
+    roughness += 0.5 * scattering.roughness;
+    passed += 0.5 * std::sqrt(scattering.transmittance(cosine));
+  }
+  const double share = std::exp(-roughness);
+  if (share < kLeastPart) {
+    return {0, share};
+  }
+  // Angle from the specular direction within which the face's glint replaces its term.
+  const double mirror = 0.5 * kFresnelReach * std::sqrt(2 / plan.turns_per_metre / range);
+  double scattered = wedge_backscatter(edge.exterior, faces, mirror);
+  if (passed > 0) {  // The term without R is the shadow's, which transmission fills by T.
+    scattered -= passed * wedge_backscatter(edge.exterior, {WedgeFace{faces[0].angle, 0}, {faces[1].angle, 0}}, mirror);
+  }
+  return {scattered, share};
+}
+
 }  // namespace
 
 EdgeEcho edge_integral(double foot, double half, double distance, double wavelength) {
@@ -62,7 +101,7 @@ EdgeEchoes::EdgeEchoes(std::shared_ptr<const StraightEdges> edges, const FaceGli
     : edges_(std::move(edges)), glints_(glints), near_(edges_->most_of_a_group()) {}
 
 // Adds the edges of one group that are at broadside, and a ray to each.
-void EdgeEchoes::find(const PingPlan& plan, const Pose& world_from_sonar, const Pose& world_from_group,
+void EdgeEchoes::find(const FlatPlan& plan, const Pose& world_from_sonar, const Pose& world_from_group,
                       const StraightEdges::Group& group, RayList& rays) {
   const std::span<const std::uint8_t> shown = glints_ != nullptr ? glints_->shown() : std::span<const std::uint8_t>();
   const Vec3 sonar = world_from_group.inverse() * world_from_sonar.position;
@@ -89,35 +128,13 @@ void EdgeEchoes::find(const PingPlan& plan, const Pose& world_from_sonar, const 
         plan.bin_of(static_cast<float>(range)) < 0 || !plan.receives(direction)) {
       continue;
     }
-    double roughness = 0, passed = 0;
-    std::array<WedgeFace, 2> faces;
-    for (int k = 0; k < 2; ++k) {
-      const StraightEdges::Side& side = edge.sides[k];
-      const Scattering& scattering = plan.scatter.scattering(side.surface);
-      faces[k].angle = k == 0 ? angle : edge.exterior * std::numbers::pi - angle;
-      const double cosine = std::min(std::abs(std::sin(faces[k].angle)) * distance / range, 1.0);
-      const bool mirrors =
-          side.face == StraightEdges::kNoGlint
-              ? std::abs(std::tan(0.5 * std::numbers::pi - faces[k].angle)) < kLobe * scattering.rms_slope
-              : shown[side.face] != 0;
-      faces[k].reflection = mirrors ? 0 : side.sign * std::sqrt(scattering.reflectance(cosine));
-      roughness += 0.5 * scattering.roughness;
-      passed += 0.5 * std::sqrt(scattering.transmittance(cosine));
-    }
-    const double share = std::exp(-roughness);
+    const auto [scattered, share] = edge_scattering(plan, edge, angle, distance, range, shown);
     if (share < kLeastPart) {
       continue;
     }
-    // Angle from the specular direction within which the face's glint replaces its term.
-    const double mirror = 0.5 * kFresnelReach * std::sqrt(wavelength / range);
-    double scattered = wedge_backscatter(edge.exterior, faces, mirror);
-    if (passed > 0) {  // The term without R is the shadow's, which transmission fills by T.
-      scattered -=
-          passed * wedge_backscatter(edge.exterior, {WedgeFace{faces[0].angle, 0}, {faces[1].angle, 0}}, mirror);
-    }
     const EdgeEcho echo = edge_integral(foot, edge.half, distance, wavelength);
     const double amplitude = scattered * echo.amplitude;
-    const PingPlan::Arrival arrival = plan.arrival_from(direction);
+    const FlatPlan::Arrival arrival = plan.arrival_from(direction);
     broadside_.push_back(
         {range,
          amplitude * amplitude * share * std::exp(-4 * double{plan.neper_per_metre} * range) * arrival.both_ways(),

@@ -48,11 +48,11 @@ class EdgeEchoes final : public EchoSource {
     double range;
     double intensity;
     double turns;
-    PingPlan::Arrival arrival;
+    FlatPlan::Arrival arrival;
   };
 
   void find_all(const PingView& view, RayList& rays);
-  void find(const PingPlan& plan, const Pose& world_from_sonar, const Pose& world_from_group,
+  void find(const FlatPlan& plan, const Pose& world_from_sonar, const Pose& world_from_group,
             const StraightEdges::Group& group, RayList& rays);
 
   std::shared_ptr<const StraightEdges> edges_;

@@ -76,7 +76,7 @@ FaceGlints::FaceGlints(std::shared_ptr<const GlintingFaces> faces) : faces_(std:
 }
 
 // Adds glints and rays of the faces of one instance that are at normal incidence.
-void FaceGlints::find(const PingPlan& plan, const Pose& world_from_sonar, const Pose& world_from_mesh,
+void FaceGlints::find(const FlatPlan& plan, const Pose& world_from_sonar, const Pose& world_from_mesh,
                       const GlintingFaces::Group& group, RayList& rays) {
   const Vec3 sonar = world_from_mesh.inverse() * world_from_sonar.position;
   const Pose sonar_from_mesh = world_from_sonar.inverse() * world_from_mesh;
@@ -110,7 +110,7 @@ void FaceGlints::find(const PingPlan& plan, const Pose& world_from_sonar, const 
     if (share < kLeastShare) {
       continue;
     }
-    const PingPlan::Arrival arrival = plan.arrival_from(direction);
+    const FlatPlan::Arrival arrival = plan.arrival_from(direction);
     const double reflectance = plan.scatter.scattering(group.surface[i]).reflectance(std::min(cosine, 1.0));
     glints_.push_back({group.instance, group.first_number + static_cast<std::size_t>(i), range,
                        reflectance * share * face_glint(foot, half, distance, wavelength) *
@@ -133,7 +133,7 @@ void FaceGlints::Glint::aim(const Vec3& sonar, const Eigen::Vector2d& place, Ray
 }
 
 // Adds a glint of which the given share of the intensity is left.
-void FaceGlints::show(const PingPlan& plan, const Glint& glint, double share, EchoList& found) {
+void FaceGlints::show(const FlatPlan& plan, const Glint& glint, double share, EchoList& found) {
   shown_[glint.number] = 1;
   add_discrete_echo(plan, glint.arrival, 1, glint.range, glint.intensity * share, plan.turns_per_metre * glint.range,
                     found);

@@ -9,8 +9,8 @@
 
 #include "echo/batch/echo_source.h"
 #include "echo/mirror/faces.h"
+#include "echo/model/flat_plan.h"
 #include "echo/model/left_out.h"
-#include "echo/model/ping_plan.h"
 #include "echo/targets/glint_window.h"
 
 namespace insonify {
@@ -83,7 +83,7 @@ class FaceGlints final : public EchoSource {
     std::size_t number;  // Index of the face among all groups.
     double range;
     double intensity;
-    PingPlan::Arrival arrival;
+    FlatPlan::Arrival arrival;
     GlintWindow window;
     Vec3 middle;         // Middle of the face in the world [m].
     Vec3 first, second;  // Unit vectors along its sides, in the world.
@@ -94,9 +94,9 @@ class FaceGlints final : public EchoSource {
 
   enum class Stage { kProbes, kPartly, kDone };  // Whose rays are being traced.
 
-  void find(const PingPlan& plan, const Pose& world_from_sonar, const Pose& world_from_mesh,
+  void find(const FlatPlan& plan, const Pose& world_from_sonar, const Pose& world_from_mesh,
             const GlintingFaces::Group& group, RayList& rays);
-  void show(const PingPlan& plan, const Glint& glint, double share, EchoList& found);
+  void show(const FlatPlan& plan, const Glint& glint, double share, EchoList& found);
   void answer_probes(const PingView& view, const RayAnswers& hits, RayList& more, EchoList& found);
   void answer_partly(const PingView& view, const RayAnswers& hits, EchoList& found);
 

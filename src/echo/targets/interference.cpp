@@ -21,31 +21,31 @@ std::vector<Vec3> places_of(std::span<const Interferer> interferers) {
 }
 
 // Phase in one bin. It is independent from bin to bin, because the pulse is not coherent with this sonar.
-float phase_of(const PingPlan& plan, std::uint32_t source, std::int64_t pulse, int bin) {
+float phase_of(const FlatPlan& plan, std::uint32_t source, std::int64_t pulse, int bin) {
   const PhiloxCounter counter = {source, static_cast<std::uint32_t>(pulse), static_cast<std::uint32_t>(bin),
                                  static_cast<std::uint32_t>(RandomPurpose::kInterference)};
   return uniform_open(philox(counter, philox_key(plan.seed))[0]);
 }
 
 // Intensity on arrival, after a one-way transmission loss of 20 log10 r + alpha r.
-double intensity_of(const PingPlan& plan, const Interferer& other, const LinesOfSight::Sight& sight) {
+double intensity_of(const FlatPlan& plan, const Interferer& other, const LinesOfSight::Sight& sight) {
   return std::pow(10.0, (other.source_level_db - plan.source_level_db) / 10) / (sight.range * sight.range) *
          std::exp(-2 * double{plan.neper_per_metre} * sight.range) * double{sight.arrival.received} * sight.passed;
 }
 
 // The bin that receives at a time after transmission [s]; -1 before the range window, bin_count after it.
-int bin_after(const PingPlan& plan, double time, double sound_speed) {
+int bin_after(const FlatPlan& plan, double time, double sound_speed) {
   const double position = (0.5 * sound_speed * time - double{plan.first_bin_at}) * double{plan.bins_per_metre};
   return static_cast<int>(std::floor(std::clamp(position, -1.0, static_cast<double>(plan.bin_count))));
 }
 
-double sound_speed_of(const PingPlan& plan) {
+double sound_speed_of(const FlatPlan& plan) {
   return 2 * plan.frequency / plan.turns_per_metre;
 }
 
 }  // namespace
 
-void add_pulse(const PingPlan& plan, const ArrivingPulse& pulse, EchoList& echoes) {
+void add_pulse(const FlatPlan& plan, const ArrivingPulse& pulse, EchoList& echoes) {
   const double sound_speed = sound_speed_of(plan);
   const int first = std::max(0, bin_after(plan, pulse.begins, sound_speed));
   const int last = std::min(bin_after(plan, pulse.begins + pulse.duration, sound_speed), plan.bin_count - 1);
@@ -79,7 +79,7 @@ void Interference::answer(const PingView& view, const RayAnswers& hits, Workers&
 }
 
 // Adds the pulses that overlap the time in which the ping is received.
-void Interference::add_pulses(const PingPlan& plan, std::size_t index, const LinesOfSight::Sight& sight, double time,
+void Interference::add_pulses(const FlatPlan& plan, std::size_t index, const LinesOfSight::Sight& sight, double time,
                               EchoList& found) {
   const Interferer& other = interferers_[index];
   const double sound_speed = sound_speed_of(plan);

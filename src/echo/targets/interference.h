@@ -23,7 +23,7 @@ struct ArrivingPulse {
 };
 
 /// Adds a pulse to the discrete echoes, in all bins that it overlaps.
-void add_pulse(const PingPlan& plan, const ArrivingPulse& pulse, EchoList& echoes);
+void add_pulse(const FlatPlan& plan, const ArrivingPulse& pulse, EchoList& echoes);
 
 /// Pulses of other sonars, as discrete echoes in the bins of their times of arrival.
 /// Calibrated model only. Their level is the other's source level relative to this sonar's, minus the one-way
@@ -38,7 +38,7 @@ class Interference final : public EchoSource {
   void answer(const PingView& view, const RayAnswers& hits, Workers& workers, RayList& more, EchoList& found) override;
 
  private:
-  void add_pulses(const PingPlan& plan, std::size_t index, const LinesOfSight::Sight& sight, double time,
+  void add_pulses(const FlatPlan& plan, std::size_t index, const LinesOfSight::Sight& sight, double time,
                   EchoList& found);
 
   std::span<const Interferer> interferers_;

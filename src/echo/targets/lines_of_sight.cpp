@@ -8,8 +8,8 @@
 
 namespace insonify {
 
-std::optional<int> beam_hearing(const PingPlan& plan, const Vec3f& direction, bool has_array) {
-  const PingPlan::Arrival arrival = plan.arrival_from(direction);
+std::optional<int> beam_hearing(const FlatPlan& plan, const Vec3f& direction, bool has_array) {
+  const FlatPlan::Arrival arrival = plan.arrival_from(direction);
   const double off = double{arrival.elevation} - plan.elevation_center;
   if (plan.received_across.empty() && std::abs(off) > 0.5 * plan.elevation_aperture) {
     return {};
@@ -56,7 +56,7 @@ std::span<const std::optional<LinesOfSight::Sight>> LinesOfSight::see(const Ping
 }
 
 std::span<const std::optional<LinesOfSight::Sight>> LinesOfSight::look(const PingView& view, const RayAnswers& hits) {
-  const PingPlan& plan = *view.plan;
+  const FlatPlan& plan = *view.plan;
   return see(view, hits, [&](const Vec3f& direction) -> std::optional<int> {
     if (!plan.receives(direction)) {
       return {};

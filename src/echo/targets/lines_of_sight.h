@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "echo/batch/echo_source.h"
-#include "echo/model/ping_plan.h"
+#include "echo/model/flat_plan.h"
 
 namespace insonify {
 
@@ -15,7 +15,7 @@ namespace insonify {
 /// on its side; none from behind and from outside a top hat across elevations.
 /// @param direction  Unit vector towards the source, in the sonar frame.
 /// @param has_array  Whether beams have side lobes across bearings.
-[[nodiscard]] std::optional<int> beam_hearing(const PingPlan& plan, const Vec3f& direction, bool has_array);
+[[nodiscard]] std::optional<int> beam_hearing(const FlatPlan& plan, const Vec3f& direction, bool has_array);
 
 /// Straight paths between the sonar and given places.
 class LinesOfSight {
@@ -30,7 +30,7 @@ class LinesOfSight {
   struct Sight {
     double range;  ///< [m]
     int beam;
-    PingPlan::Arrival arrival;
+    FlatPlan::Arrival arrival;
     double passed;  ///< Share of the intensity that surfaces in the way let through, one way.
   };
 

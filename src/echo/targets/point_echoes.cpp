@@ -19,13 +19,13 @@ std::vector<Vec3> places_of(std::span<const PointTarget> points) {
 
 }  // namespace
 
-double own_phase(const PingPlan& plan, std::size_t point) {
+double own_phase(const FlatPlan& plan, std::size_t point) {
   const PhiloxCounter counter = {static_cast<std::uint32_t>(point), 0, 0,
                                  static_cast<std::uint32_t>(RandomPurpose::kPointPhase)};
   return double{uniform_open(philox(counter, philox_key(plan.seed))[0])};
 }
 
-void add_discrete_echo(const PingPlan& plan, const PingPlan::Arrival& arrival, int order, double range,
+void add_discrete_echo(const FlatPlan& plan, const FlatPlan::Arrival& arrival, int order, double range,
                        double intensity, double turns, EchoList& echoes) {
   const int bin = plan.bin_of(static_cast<float>(range));
   if (bin >= 0) {
@@ -48,7 +48,7 @@ void PointEchoes::answer(const PingView& view, const RayAnswers& hits, Workers&,
   if (hits.sights.empty()) {
     return;
   }
-  const PingPlan& plan = *view.plan;
+  const FlatPlan& plan = *view.plan;
   const auto sights = lines_.look(view, hits);
   for (std::size_t i = 0; i < points_.size(); ++i) {
     if (!sights[i]) {

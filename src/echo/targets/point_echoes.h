@@ -11,14 +11,14 @@
 namespace insonify {
 
 /// Phase of a point's own reflection, drawn from the seed [turns].
-double own_phase(const PingPlan& plan, std::size_t point);
+double own_phase(const FlatPlan& plan, std::size_t point);
 
 /// Adds a discrete echo, unless its range is outside the range window.
 /// @param order      Number of surfaces on the path.
 /// @param range      True range [m].
 /// @param intensity  Relative to the source's at 1 m.
 /// @param turns      Phase in full turns.
-void add_discrete_echo(const PingPlan& plan, const PingPlan::Arrival& arrival, int order, double range,
+void add_discrete_echo(const FlatPlan& plan, const FlatPlan::Arrival& arrival, int order, double range,
                        double intensity, double turns, EchoList& echoes);
 
 /// Echoes of points, as discrete echoes: TS - 40 log10 r - 2 alpha r relative to the source

@@ -75,7 +75,7 @@ void PointGhosts::add_legs(const Vec3& sonar, std::size_t point, RayList& rays) 
 
 std::optional<PointGhosts::Way> PointGhosts::way_of(const PingView& view, const RayAnswers& hits,
                                                     const Leg& leg) const {
-  const PingPlan& plan = *view.plan;
+  const FlatPlan& plan = *view.plan;
   const Pose& world_from_sonar = view.world_from_sonar;
   const Vec3 there = leg.image - world_from_sonar.position;
   const Vec3f direction = (world_from_sonar.inverse() * leg.image).normalized().cast<float>();
@@ -114,7 +114,7 @@ std::optional<PointGhosts::Way> PointGhosts::way_of(const PingView& view, const 
   return way;
 }
 
-PointGhosts::Glint PointGhosts::glint(const PingPlan& plan, std::size_t point, const Way& out, const Way& back,
+PointGhosts::Glint PointGhosts::glint(const FlatPlan& plan, std::size_t point, const Way& out, const Way& back,
                                       std::uint64_t number) const {
   if (!glints_ || (out.mirror != kWater && back.mirror != kWater)) {
     return {1, 0};
@@ -130,7 +130,7 @@ PointGhosts::Glint PointGhosts::glint(const PingPlan& plan, std::size_t point, c
 }
 
 // Adds the echoes of all pairs of legs, except that of the direct leg with itself.
-void PointGhosts::add_echoes(const PingPlan& plan, std::span<const Way> ways, std::size_t point, std::uint64_t number,
+void PointGhosts::add_echoes(const FlatPlan& plan, std::span<const Way> ways, std::size_t point, std::uint64_t number,
                              EchoList& found) const {
   const double strength = std::pow(10.0, points_[point].target_strength_db / 10);
   const double own_turns = own_phase(plan, point);

@@ -10,7 +10,7 @@
 
 #include "echo/batch/echo_source.h"
 #include "echo/grid/echo.h"
-#include "echo/model/ping_plan.h"
+#include "echo/model/flat_plan.h"
 #include "echo/targets/plane_mirrors.h"
 #include "insonify/point_target.h"
 
@@ -60,20 +60,20 @@ class PointGhosts final : public EchoSource {
   // An unobstructed leg with its effect on sound.
   struct Way {
     int mirror;
-    PingPlan::Arrival arrival;
+    FlatPlan::Arrival arrival;
     double length, intensity, turns;
   };
 
   void add_legs(const Vec3& sonar, std::size_t point, RayList& rays);
   void add_leg_by(const Vec3& sonar, std::size_t point, int mirror, const Vec3& normal, double offset, RayList& rays);
   [[nodiscard]] std::optional<Way> way_of(const PingView& view, const RayAnswers& hits, const Leg& leg) const;
-  void add_echoes(const PingPlan& plan, std::span<const Way> ways, std::size_t point, std::uint64_t number,
+  void add_echoes(const FlatPlan& plan, std::span<const Way> ways, std::size_t point, std::uint64_t number,
                   EchoList& found) const;
   // Effect of waves on an echo: a factor on its intensity and an offset of its phase.
   struct Glint {
     double intensity, turns;
   };
-  [[nodiscard]] Glint glint(const PingPlan& plan, std::size_t point, const Way& out, const Way& back,
+  [[nodiscard]] Glint glint(const FlatPlan& plan, std::size_t point, const Way& out, const Way& back,
                             std::uint64_t number) const;
 
   std::span<const PointTarget> points_;

@@ -54,7 +54,7 @@ std::uint32_t interleaved(std::uint32_t bits) {
 }
 
 // Whether a sphere is outside the fan in azimuth. The fan is symmetric about x; false for fans wider than 180 degrees.
-bool beside(const PingPlan& plan, const Vec3f& middle, float radius) {
+bool beside(const FlatPlan& plan, const Vec3f& middle, float radius) {
   const float edge = plan.lattice.azimuth.front() + plan.lattice.column_width.front();
   const float across = std::abs(middle.y());
   if (!(edge < 0.5F * std::numbers::pi_v<float>)) {
@@ -97,7 +97,7 @@ ThinEchoes::ThinEchoes(std::shared_ptr<const ThinParts> parts) : parts_(std::mov
 // Finds the pieces within the fan and the range window that are too thin for the lattice.
 void ThinEchoes::find_seen(const PingView& view) {
   seen_.clear();
-  const PingPlan& plan = *view.plan;
+  const FlatPlan& plan = *view.plan;
   const Pose sonar_from_world = view.world_from_sonar.inverse();
   for (std::uint32_t i = 0; i < groups_.size(); ++i) {
     const Group& group = groups_[i];
@@ -111,7 +111,7 @@ void ThinEchoes::find_seen(const PingView& view) {
   }
 }
 
-void ThinEchoes::add_seen(const PingPlan& plan, std::uint32_t group, const Pose& sonar_from_mesh) {
+void ThinEchoes::add_seen(const FlatPlan& plan, std::uint32_t group, const Pose& sonar_from_mesh) {
   const float per_metre = thin_per_metre(plan);
   const float column = plan.lattice.column_width[plan.lattice.columns / 2];
   const Eigen::Matrix3d turn_exactly = sonar_from_mesh.orientation.toRotationMatrix();
@@ -148,7 +148,7 @@ bool ThinEchoes::divide(float longer) {
   return steps <= kMostSteps;
 }
 
-void ThinEchoes::step_along(const PingPlan& plan, const Seen& seen) {
+void ThinEchoes::step_along(const FlatPlan& plan, const Seen& seen) {
   const ThinParts::Piece& piece = parts_->pieces[seen.piece];
   const float per_metre = thin_per_metre(plan), length = seen.half.norm(), count = static_cast<float>(seen.count);
   const Vec3f axis = length > 0 ? Vec3f(seen.half / length) : Vec3f(Vec3f::Zero());
@@ -164,7 +164,7 @@ void ThinEchoes::step_along(const PingPlan& plan, const Seen& seen) {
 }
 
 // Finds the steps that the sonar receives.
-void ThinEchoes::find_steps(const PingPlan& plan, Workers& workers) {
+void ThinEchoes::find_steps(const FlatPlan& plan, Workers& workers) {
   for (float longer = 1; !divide(longer); longer *= 2) {
     static_assert(ThinParts::kMostPieces < kMostSteps);  // At most as many steps as pieces in the end.
   }
@@ -208,7 +208,7 @@ void ThinEchoes::ask_for_steps(const Pose& world_from_sonar, RayList& rays) {
   }
 }
 
-Echo ThinEchoes::echo_of(const PingPlan& plan, const Step& step) const {
+Echo ThinEchoes::echo_of(const FlatPlan& plan, const Step& step) const {
   const ThinParts::Piece& piece = parts_->pieces[step.piece];
   const ScatterTable::Laws laws = plan.scatter.laws();
   const std::uint32_t material = laws.index_of(piece.surface);
@@ -227,7 +227,7 @@ Echo ThinEchoes::echo_of(const PingPlan& plan, const Step& step) const {
     return {};
   }
   const float distance = step.place.norm();
-  const PingPlan::Arrival arrival = plan.arrival_from(step.place / distance);
+  const FlatPlan::Arrival arrival = plan.arrival_from(step.place / distance);
   const float range = distance + depth / strength, square = range * range;
   const float spread = fast_exp(-4 * plan.neper_per_metre * range) / (square * square);
   const float weight = kWeight * facing / (square * static_cast<float>(step.count));
@@ -254,7 +254,7 @@ void ThinEchoes::answer(const PingView& view, const RayAnswers& hits, Workers& w
   if (hits.sights.empty()) {
     return;
   }
-  const PingPlan& plan = *view.plan;
+  const FlatPlan& plan = *view.plan;
   found.spread.resize(steps_.size());
   constexpr std::size_t kTogether = 256;
   workers.for_each(static_cast<int>((steps_.size() + kTogether - 1) / kTogether), [&](int task, int) {

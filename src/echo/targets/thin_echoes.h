@@ -54,12 +54,12 @@ class ThinEchoes final : public EchoSource {
   };
 
   void find_seen(const PingView& view);
-  void add_seen(const PingPlan& plan, std::uint32_t group, const Pose& sonar_from_mesh);
+  void add_seen(const FlatPlan& plan, std::uint32_t group, const Pose& sonar_from_mesh);
   [[nodiscard]] bool divide(float longer);
-  void find_steps(const PingPlan& plan, Workers& workers);
-  void step_along(const PingPlan& plan, const Seen& seen);
+  void find_steps(const FlatPlan& plan, Workers& workers);
+  void step_along(const FlatPlan& plan, const Seen& seen);
   void ask_for_steps(const Pose& world_from_sonar, RayList& rays);
-  [[nodiscard]] Echo echo_of(const PingPlan& plan, const Step& step) const;
+  [[nodiscard]] Echo echo_of(const FlatPlan& plan, const Step& step) const;
 
   std::shared_ptr<const ThinParts> parts_;
   std::vector<Group> groups_;

@@ -62,7 +62,7 @@ RandomWalks::RandomWalks(const Settings& settings) : settings_(settings), walks_
 // Launches the walks evenly over the columns, in random rows. A walk's weight is its share of the transmitted sound,
 // with the beam pattern.
 void RandomWalks::ask(const PingView& view, Workers&, RayList& rays) {
-  const PingPlan& plan = *view.plan;
+  const FlatPlan& plan = *view.plan;
   const Pose& world_from_sonar = view.world_from_sonar;
   number_ = view.number;
   water_ = plan.secondary != SecondaryEchoes::kNone && plan.max_surfaces > 2 ? settings_.elsewhere.water : kNoSurface;
@@ -91,7 +91,7 @@ void RandomWalks::ask(const PingView& view, Workers&, RayList& rays) {
 }
 
 // Energy per steradian scattered towards the sonar, without the paths that other echoes include (see the class).
-float RandomWalks::per_steradian(const PingPlan& plan, const SurfaceLaw& law, const Hit& hit, const Vec3f& in,
+float RandomWalks::per_steradian(const FlatPlan& plan, const SurfaceLaw& law, const Hit& hit, const Vec3f& in,
                                  const Vec3f& out, int order, const Walk& walk) const {
   const Vec3f normal = hit.normal.cast<float>();
   if (order == 2) {
@@ -118,7 +118,7 @@ float RandomWalks::per_steradian(const PingPlan& plan, const SurfaceLaw& law, co
 }
 
 // Adds the leg from the last bounce of a walk to the sonar, and its echo, to legs_ and echoes_.
-void RandomWalks::connect(const PingPlan& plan, const Pose& world_from_sonar, const Hit& hit, const Vec3f& in,
+void RandomWalks::connect(const FlatPlan& plan, const Pose& world_from_sonar, const Hit& hit, const Vec3f& in,
                           int order, const Walk& walk) {
   const Vec3 back = world_from_sonar.position - walk.point;
   const double distance = back.norm();
@@ -137,7 +137,7 @@ void RandomWalks::connect(const PingPlan& plan, const Pose& world_from_sonar, co
   if (!(sent_back > 0)) {
     return;
   }
-  const PingPlan::Arrival arrival = plan.arrival_from(towards);
+  const FlatPlan::Arrival arrival = plan.arrival_from(towards);
   const double lost = std::exp(-2 * double{plan.neper_per_metre} * length) / (distance * distance);
   legs_.push_back({walk.point, out, double{kRayClearance}, distance - double{kRayClearance}});
   echoes_.push_back({.azimuth = arrival.bearing,
@@ -151,7 +151,7 @@ void RandomWalks::connect(const PingPlan& plan, const Pose& world_from_sonar, co
 }
 
 // Draws the next direction of a walk; false if the walk ends.
-bool RandomWalks::bounce(const PingPlan& plan, const Hit& hit, int order, Walk& walk) {
+bool RandomWalks::bounce(const FlatPlan& plan, const Hit& hit, int order, Walk& walk) {
   const Draws draws(settings_.seed, number_, walk.index, order);
   const Vec3f normal = hit.normal.cast<float>();
   const SurfaceLaw law =
@@ -185,7 +185,7 @@ bool RandomWalks::bounce(const PingPlan& plan, const Hit& hit, int order, Walk& 
 // Moves each walk to its hit, and draws its next leg. Walks end if they leave the scene or can no longer return within
 // the range window.
 void RandomWalks::bounce_all(const PingView& view, const RayAnswers& hits, RayList& more) {
-  const PingPlan& plan = *view.plan;
+  const FlatPlan& plan = *view.plan;
   const Pose& world_from_sonar = view.world_from_sonar;
   legs_.clear();
   echoes_.clear();

@@ -67,10 +67,10 @@ class RandomWalks final : public EchoSource {
 
   void add_clear_legs(std::span<const Hit> legs, EchoList& found) const;
   void bounce_all(const PingView& view, const RayAnswers& hits, RayList& more);
-  bool bounce(const PingPlan& plan, const Hit& hit, int order, Walk& walk);
-  void connect(const PingPlan& plan, const Pose& world_from_sonar, const Hit& hit, const Vec3f& in, int order,
+  bool bounce(const FlatPlan& plan, const Hit& hit, int order, Walk& walk);
+  void connect(const FlatPlan& plan, const Pose& world_from_sonar, const Hit& hit, const Vec3f& in, int order,
                const Walk& walk);
-  [[nodiscard]] float per_steradian(const PingPlan& plan, const SurfaceLaw& law, const Hit& hit, const Vec3f& in,
+  [[nodiscard]] float per_steradian(const FlatPlan& plan, const SurfaceLaw& law, const Hit& hit, const Vec3f& in,
                                     const Vec3f& out, int order, const Walk& walk) const;
 
   Settings settings_;

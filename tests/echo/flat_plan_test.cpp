@@ -1,24 +1,24 @@
-// ping_plan_test.cpp -- which directions a planned sonar receives.
+// flat_plan_test.cpp -- which directions a planned sonar receives.
 
-#include "echo/model/ping_plan.h"
+#include "echo/model/flat_plan.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace insonify::ping_plan_test {
+namespace insonify::flat_plan_test {
 namespace {
 
 constexpr double kDegree = radians_from_degrees(1);
 
 // A sphere of the radius r at the distance d is above or below the fan where its middle is more than asin(r / d) beyond
 // an edge. Fans that look down and up, and edges on either side of level.
-TEST(PingPlanTest, SpheresBesideTheFanAreThoseThatReachNoDirectionInIt) {
+TEST(FlatPlanTest, SpheresBesideTheFanAreThoseThatReachNoDirectionInIt) {
   for (const double middle : {-35.0, 0.0, 22.0}) {
     SonarConfig sonar;
     sonar.elevation_aperture = 24 * kDegree;
     sonar.elevation_center = middle * kDegree;
-    const auto plan = make_ping_plan({.sonar = sonar});
+    const auto plan = make_flat_plan({.sonar = sonar});
     for (const double radius : {0.1, 0.9}) {
       const double half = std::asin(radius / 4) / kDegree;
       for (double elevation = -85; elevation < 85; elevation += 0.7) {
@@ -35,11 +35,11 @@ TEST(PingPlanTest, SpheresBesideTheFanAreThoseThatReachNoDirectionInIt) {
   }
 }
 
-TEST(PingPlanTest, BeamsMeetAtTheirEdges) {
+TEST(FlatPlanTest, BeamsMeetAtTheirEdges) {
   SonarConfig sonar;
   sonar.beam_count = 5;
   sonar.azimuth_aperture = 50 * kDegree;
-  const auto plan = make_ping_plan({.sonar = sonar});
+  const auto plan = make_flat_plan({.sonar = sonar});
   for (int beam = 0; beam < 5; ++beam) {
     EXPECT_NEAR(plan->port_edges[beam] / kDegree, 25 - 10 * beam, 1e-5);
     EXPECT_EQ(plan->beam_of(plan->port_edges[beam]), beam);
@@ -50,4 +50,4 @@ TEST(PingPlanTest, BeamsMeetAtTheirEdges) {
 }
 
 }  // namespace
-}  // namespace insonify::ping_plan_test
+}  // namespace insonify::flat_plan_test

@@ -1,4 +1,4 @@
-// ping_plan.h -- constants of one sonar for the engines, the same for all pings.
+// flat_plan.h -- constants of one sonar for the engines, the same for all pings: plain numbers and tables.
 
 #pragma once
 
@@ -25,8 +25,8 @@
 
 namespace insonify {
 
-/// What a PingPlan is made from.
-struct PingPlanSettings {
+/// What a FlatPlan is made from.
+struct FlatPlanSettings {
   SonarConfig sonar = {};
   BearingGrid cells = {};    ///< Slices of bearing that are sampled; none: the sonar's beams, of shape beam_shape.
   int columns_per_cell = 0;  ///< Lattice columns in each of `cells`.
@@ -51,7 +51,7 @@ struct PingPlanSettings {
   int stagger_phase = 0;  ///< Offset of the samples, >= 0: what changes with it is sampling error.
 };
 
-/// The numbers of a PingPlan.
+/// The numbers of a FlatPlan.
 struct PlanNumbers {
   int beam_count = 0, bin_count = 0;                    ///< Of the EchoGrid: slices of bearing, and range bins.
   double frequency = 0;                                 ///< [Hz]
@@ -86,10 +86,10 @@ struct PlanNumbers {
 static_assert(std::is_trivially_copyable_v<PlanNumbers>);
 
 /// Everything about one sonar that does not change from ping to ping, computed once: numbers and tables of numbers.
-class PingPlan : public PlanNumbers {
+class FlatPlan : public PlanNumbers {
  public:
-  PingPlan() = default;  ///< Empty: for visit_parts() to fill in.
-  explicit PingPlan(const PingPlanSettings& settings);
+  FlatPlan() = default;  ///< Empty: for visit_parts() to fill in.
+  explicit FlatPlan(const FlatPlanSettings& settings);
 
   Lattice lattice;
   ScatterTable scatter;  ///< `calibrated`
@@ -182,7 +182,7 @@ class PingPlan : public PlanNumbers {
 
  private:
   void set_sonar(const SonarConfig& sonar, const Water& water);
-  void set_bearings(const BearingGrid& cells, const PingPlanSettings& settings);
+  void set_bearings(const BearingGrid& cells, const FlatPlanSettings& settings);
   void set_elevations(const ElevationPatterns& patterns);
   [[nodiscard]] float sent_to(const Arrival& arrival) const;
 
@@ -193,14 +193,14 @@ class PingPlan : public PlanNumbers {
   [[nodiscard]] float bearing_of(const Vec3f& direction) const;
 };
 
-[[nodiscard]] std::shared_ptr<const PingPlan> make_ping_plan(const PingPlanSettings& settings);
+[[nodiscard]] std::shared_ptr<const FlatPlan> make_flat_plan(const FlatPlanSettings& settings);
 
-inline float PingPlan::bearing_of(const Vec3f& direction) const {
+inline float FlatPlan::bearing_of(const Vec3f& direction) const {
   return lattice.shape == BeamShape::kWedge ? std::atan2(direction.y(), direction.x())
                                             : std::asin(std::clamp(direction.y(), -1.0F, 1.0F));
 }
 
-inline bool PingPlan::receives(const Vec3f& direction) const {
+inline bool FlatPlan::receives(const Vec3f& direction) const {
   const float level = std::sqrt(direction.x() * direction.x() + direction.y() * direction.y());
   // A line array cannot tell front from back: on a cone what is behind has the bearing of a direction in front.
   const bool behind = lattice.shape == BeamShape::kCone && direction.x() < 0;
@@ -208,13 +208,13 @@ inline bool PingPlan::receives(const Vec3f& direction) const {
          beam_of(bearing_of(direction)) >= 0;
 }
 
-inline bool PingPlan::receives_nothing_of(const Vec3f& middle, float radius) const {
+inline bool FlatPlan::receives_nothing_of(const Vec3f& middle, float radius) const {
   const float level = std::sqrt(middle.x() * middle.x() + middle.y() * middle.y());
   return middle.z() - tan_high * level > radius * std::sqrt(1 + tan_high * tan_high) ||
          tan_low * level - middle.z() > radius * std::sqrt(1 + tan_low * tan_low);
 }
 
-inline PingPlan::Arrival PingPlan::arrival_from(const Vec3f& direction) const {
+inline FlatPlan::Arrival FlatPlan::arrival_from(const Vec3f& direction) const {
   const float elevation = std::atan2(direction.z(), std::hypot(direction.x(), direction.y()));
   const auto gain = [&](const PatternAxis& axis, const std::vector<float>& table) {
     return table.empty() ? 1.0F : static_cast<float>(axis.look_up(table, double{elevation}));
@@ -226,12 +226,12 @@ inline PingPlan::Arrival PingPlan::arrival_from(const Vec3f& direction) const {
   return {bearing, elevation, sends_apart ? gain(sent_axis, sent_across) : received, received, transmitted};
 }
 
-inline int PingPlan::bin_of(float range) const {
+inline int FlatPlan::bin_of(float range) const {
   const float position = (range - first_bin_at) * bins_per_metre;
   return position >= 0 && position < static_cast<float>(bin_count) ? static_cast<int>(position) : -1;
 }
 
-inline int PingPlan::nearest_beam(float bearing) const {
+inline int FlatPlan::nearest_beam(float bearing) const {
   // First guess, exact but for rounding if all beams are equally wide; then a search.
   const float across = (port_edges.front() - bearing) * beams_per_radian;
   int beam = std::clamp(static_cast<int>(across), 0, beam_count - 1);

@@ -1,6 +1,6 @@
-// ping_plan.cpp -- computes the constants of a plan from its settings.
+// flat_plan.cpp -- computes the constants of a plan from its settings.
 
-#include "echo/model/ping_plan.h"
+#include "echo/model/flat_plan.h"
 
 #include "base/philox.h"
 #include "insonify/acoustics/absorption.h"
@@ -11,7 +11,7 @@ namespace {
 // Least gain of a two-way array that counts, one way: in a null, gains of cells and of echoes in them are not alike.
 constexpr float kLeastArrayGain = 1e-3F;
 
-BearingGrid cells_of(const PingPlanSettings& settings) {
+BearingGrid cells_of(const FlatPlanSettings& settings) {
   if (settings.cells.count() > 0) {
     return settings.cells;
   }
@@ -20,7 +20,7 @@ BearingGrid cells_of(const PingPlanSettings& settings) {
   return beams;
 }
 
-int columns_of(const PingPlanSettings& settings) {
+int columns_of(const FlatPlanSettings& settings) {
   return settings.columns_per_cell > 0 ? settings.columns_per_cell
                                        : settings.sonar.sampling.columns_per_beam.value_or(Sampling::kColumns);
 }
@@ -31,7 +31,7 @@ std::vector<float> to_floats(const std::vector<double>& values) {
 
 }  // namespace
 
-PingPlan::PingPlan(const PingPlanSettings& settings)
+FlatPlan::FlatPlan(const FlatPlanSettings& settings)
     : scatter(settings.materials, settings.sonar.frequency, settings.rough_mirrors) {
   const SonarConfig& sonar = settings.sonar;
   const BearingGrid cells = cells_of(settings);
@@ -52,7 +52,7 @@ PingPlan::PingPlan(const PingPlanSettings& settings)
   stagger = philox({0, 0, 0, purpose}, philox_key(settings.seed))[0];
 }
 
-void PingPlan::set_sonar(const SonarConfig& sonar, const Water& water) {
+void FlatPlan::set_sonar(const SonarConfig& sonar, const Water& water) {
   const double true_speed = water.true_sound_speed();
   const double scale = sonar.assumed_sound_speed.value_or(true_speed) / true_speed;
   bin_count = sonar.bin_count;
@@ -70,7 +70,7 @@ void PingPlan::set_sonar(const SonarConfig& sonar, const Water& water) {
   middle_elevation = static_cast<float>(sonar.elevation_center);
 }
 
-void PingPlan::set_bearings(const BearingGrid& cells, const PingPlanSettings& settings) {
+void FlatPlan::set_bearings(const BearingGrid& cells, const FlatPlanSettings& settings) {
   beam_count = cells.count();
   port_edges = to_floats(cells.port);
   starboard_edges = to_floats(cells.starboard);
@@ -84,7 +84,7 @@ void PingPlan::set_bearings(const BearingGrid& cells, const PingPlanSettings& se
   }
 }
 
-void PingPlan::set_elevations(const ElevationPatterns& patterns) {
+void FlatPlan::set_elevations(const ElevationPatterns& patterns) {
   const auto take = [](const ElevationPattern* pattern, PatternAxis& axis, std::vector<float>& table) {
     if (pattern != nullptr) {
       axis = pattern->axis();
@@ -99,24 +99,24 @@ void PingPlan::set_elevations(const ElevationPatterns& patterns) {
 }
 
 // What a two-way array sends to a bearing is that of its cell's first column.
-float PingPlan::sent_to(const Arrival& arrival) const {
+float FlatPlan::sent_to(const Arrival& arrival) const {
   return two_way ? lattice.transmitted[std::max(0, beam_of(arrival.bearing)) * lattice.columns_per_beam]
                  : arrival.transmitted;
 }
 
-float PingPlan::sent_beside(int column, const Arrival& arrival) const {
+float FlatPlan::sent_beside(int column, const Arrival& arrival) const {
   return sent_to(arrival) / lattice.transmitted[column];
 }
 
-double PingPlan::sent_gain(const Arrival& leaves, const Arrival& arrives) const {
+double FlatPlan::sent_gain(const Arrival& leaves, const Arrival& arrives) const {
   const double across = leaves.sent == leaves.received ? 1.0
                         : leaves.received > 0          ? double{leaves.sent} / double{leaves.received}
                                                        : 0.0;
   return across * double{sent_to(leaves)} / (two_way ? double{sent_to(arrives)} : 1.0);
 }
 
-std::shared_ptr<const PingPlan> make_ping_plan(const PingPlanSettings& settings) {
-  return std::make_shared<const PingPlan>(settings);
+std::shared_ptr<const FlatPlan> make_flat_plan(const FlatPlanSettings& settings) {
+  return std::make_shared<const FlatPlan>(settings);
 }
 
 }  // namespace insonify
