@@ -9,8 +9,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "image/two_pi.h"
-
 namespace insonify {
 namespace {
 

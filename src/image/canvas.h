@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include <numbers>
+
 #include "insonify/picture.h"
 
 namespace insonify {
@@ -38,5 +40,7 @@ void draw_line(Picture& picture, Point from, Point to, double width, const Ink& 
 /// [rad].
 /// @param from, to  The ends, from <= to; a full circle where they are 2 pi apart or more.
 void draw_arc(Picture& picture, Point centre, double radius, double from, double to, double width, const Ink& ink);
+
+inline constexpr double kTwoPi = 2 * std::numbers::pi;  ///< [rad]
 
 }  // namespace insonify

@@ -8,7 +8,6 @@
 #include "image/palette.h"
 #include "image/plot.h"
 #include "image/scales.h"
-#include "image/spacing.h"
 #include "insonify/channels.h"
 #include "insonify/error.h"
 

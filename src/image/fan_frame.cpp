@@ -8,7 +8,6 @@
 
 #include "image/palette.h"
 #include "image/scales.h"
-#include "image/spacing.h"
 
 namespace insonify {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "image/two_pi.h"
+#include "image/canvas.h"
 
 namespace insonify {
 namespace {

@@ -9,7 +9,6 @@
 
 #include "image/palette.h"
 #include "image/scales.h"
-#include "image/spacing.h"
 #include "insonify/printable.h"
 
 namespace insonify {

@@ -1,4 +1,4 @@
-// scales.h -- positions of ticks and their labels.
+// scales.h -- positions of ticks, their labels, and the distances between the parts of a picture.
 
 #pragma once
 
@@ -32,5 +32,9 @@ namespace insonify {
 /// its slope: "30° up", "30° down", "up", "down", and "front" or "back" of the housing. With tenths of a degree if they
 /// are not 0.
 [[nodiscard]] std::string bearing_text(double azimuth, Mounting mounting = Mounting::kHorizontal);
+
+inline constexpr double kTickLength = 0.3;  ///< [em]
+inline constexpr double kTextGap = 0.35;    ///< Gap between a tick and its label [em].
+inline constexpr double kBarGap = 1.5;      ///< Gap between the picture with its labels and the colour bar [em].
 
 }  // namespace insonify

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "image/two_pi.h"
+#include "image/canvas.h"
 
 namespace insonify {
 namespace {

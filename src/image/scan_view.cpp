@@ -6,13 +6,13 @@
 #include <cmath>
 #include <limits>
 
+#include "image/canvas.h"
 #include "image/fan_frame.h"
 #include "image/fan_paint.h"
 #include "image/ping_table.h"
 #include "image/plot.h"
 #include "image/scales.h"
 #include "image/scan_slots.h"
-#include "image/two_pi.h"
 #include "insonify/error.h"
 #include "insonify/printable.h"
 

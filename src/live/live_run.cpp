@@ -9,7 +9,6 @@
 #include <numeric>
 
 #include "insonify/error.h"
-#include "live/flown_path.h"
 
 namespace insonify {
 namespace {
@@ -17,6 +16,40 @@ namespace {
 // Pings of two sonars closer than this ratio count as simultaneous, since periods are rounded. Scenario::ping_count()
 // tolerates less.
 constexpr double kSameTime = 1 + 1e-8;
+
+constexpr double kPathStep = 0.05;  // Between the waypoints of a flown path [s].
+
+// To six decimals, so that the result's shortest decimal representation is the intended number.
+double to_millionths(double value) {
+  constexpr double kParts = 1e6;
+  const double rounded = std::round(value * kParts) / kParts;
+  return rounded == 0 ? 0 : rounded;  // Avoids "-0" in files.
+}
+
+// A waypoint that a scenario file represents exactly: time to 1 us, position to 1 um, angles to 1e-6 degrees.
+Waypoint exact_waypoint(double time, const Pose& world_from_vehicle) {
+  const Vec3 rpy = rpy_from_orientation(world_from_vehicle.orientation);
+  Waypoint waypoint;
+  waypoint.time = to_millionths(time);
+  for (int axis = 0; axis < 3; ++axis) {
+    waypoint.position[axis] = to_millionths(world_from_vehicle.position[axis]);
+    waypoint.orientation[axis] = radians_from_degrees(to_millionths(degrees_from_radians(rpy[axis])));
+  }
+  return waypoint;
+}
+
+// The pose after a short time [s] of constant velocities in the vehicle's own frame: the position moves along the
+// initial axes.
+Pose flown_on(const Pose& pose, const LiveVelocity& velocity, double time) {
+  Pose next = pose;
+  next.position += time * (pose.orientation * velocity.linear);
+  const double rate = velocity.angular.norm();
+  if (rate > 0) {
+    const Eigen::AngleAxisd turn(rate * time, velocity.angular / rate);
+    next.orientation = (pose.orientation * turn).normalized();
+  }
+  return next;
+}
 
 }  // namespace
 

@@ -1,6 +1,9 @@
-// ping_motion.h -- velocity and turn rate of a transducer between transmission and reception.
+// ping_motion.h -- how the transducer moves between transmission and reception, and which objects are not where the
+// scene has them.
 
 #pragma once
+
+#include <cstdint>
 
 #include "insonify/geometry.h"
 
@@ -15,5 +18,10 @@ struct PingMotion {
 /// changes bearings.
 /// @param time  From `first` to `last` [s], > 0.
 [[nodiscard]] PingMotion motion_between(const Pose& first, const Pose& last, double time);
+
+struct DisplacedInstance {
+  std::uint16_t instance = 0;  ///< Index into Scene::instances.
+  Pose home_from_here = {};  ///< Maps world positions of this ping to those with the instance at its pose in the scene.
+};
 
 }  // namespace insonify

@@ -11,7 +11,6 @@
 #include "insonify/error.h"
 #include "insonify/printable.h"
 #include "insonify/scene.h"
-#include "scene/define_materials.h"
 #include "scene/material_library.h"
 
 namespace insonify {

@@ -8,8 +8,7 @@
 
 #include "insonify/error.h"
 #include "insonify/mesh.h"
-#include "scene/crease_normals.h"
-#include "scene/weld_vertices.h"
+#include "scene/mesh_steps.h"
 
 namespace insonify {
 namespace {

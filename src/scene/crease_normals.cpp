@@ -1,12 +1,12 @@
 // crease_normals.cpp -- computes vertex normals by grouping the triangles around each vertex into smooth fans.
 
-#include "scene/crease_normals.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <span>
+
+#include "scene/mesh_steps.h"
 
 namespace insonify {
 namespace {

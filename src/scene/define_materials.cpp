@@ -1,7 +1,5 @@
 // define_materials.cpp -- makes materials from overrides, and checks that they conserve energy.
 
-#include "scene/define_materials.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,10 +1,14 @@
-// material_library.h -- names and aliases of the library's materials.
+// material_library.h -- materials of the library and of a scenario, by name.
 
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "insonify/error.h"
+#include "insonify/scene.h"
 
 namespace insonify {
 
@@ -17,5 +21,23 @@ namespace insonify {
 
 /// Every name that find_material() knows, aliases included.
 [[nodiscard]] const std::vector<std::string>& known_material_names();
+
+/// Materials that a scenario defines, by meaning_of() their names.
+using DefinedMaterials = std::map<std::string, Material>;
+
+/// Canonical name of a material, with aliases resolved.
+[[nodiscard]] std::string meaning_of(std::string_view name);
+
+/// Makes the materials of the scenario's overrides.
+/// @throws Error for a material that is unknown, means the same as another, or returns more energy than it receives.
+[[nodiscard]] DefinedMaterials define_materials(const MaterialRules& rules);
+
+/// A defined material, else the library's; null if neither has it.
+[[nodiscard]] const Material* find_by_name(std::string_view name, const DefinedMaterials& defined);
+
+/// The error for an unknown material name that the user wrote.
+/// @param what  Text between the name of the setting and its value.
+[[nodiscard]] Error unknown_material(std::string_view object, std::string_view field, std::string_view what,
+                                     std::string_view name, const DefinedMaterials& defined);
 
 }  // namespace insonify

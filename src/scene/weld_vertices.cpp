@@ -1,10 +1,10 @@
 // weld_vertices.cpp -- merges equal vertices by a hash table with open addressing: linear in time, and with at most
 // eight bytes per vertex.
 
-#include "scene/weld_vertices.h"
-
 #include <bit>
 #include <limits>
+
+#include "scene/mesh_steps.h"
 
 namespace insonify {
 namespace {

@@ -1,9 +1,9 @@
 // change_simulator.cpp -- changes sonars and objects of a simulator between pings.
 
 #include "insonify/error.h"
+#include "simulator/checks.h"
 #include "simulator/scene_changes.h"
 #include "simulator/simulator_state.h"
-#include "simulator/sonar_index.h"
 
 namespace insonify {
 

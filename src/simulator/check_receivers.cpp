@@ -1,7 +1,5 @@
 // check_receivers.cpp -- rules between a sonar's beams, pulse and gains, and the receiver that processes its echoes.
 
-#include "simulator/check_receivers.h"
-
 #include <fmt/format.h>
 
 #include <numbers>
@@ -9,7 +7,7 @@
 #include "insonify/array_pattern.h"
 #include "insonify/error.h"
 #include "receiver/array/line_array.h"
-#include "simulator/rounded_up.h"
+#include "simulator/checks.h"
 
 namespace insonify {
 namespace {

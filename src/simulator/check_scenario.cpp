@@ -8,9 +8,7 @@
 #include "insonify/error.h"
 #include "insonify/scenario.h"
 #include "receiver/array/steering.h"
-#include "simulator/check_receivers.h"
-#include "simulator/check_speeds.h"
-#include "simulator/rounded_up.h"
+#include "simulator/checks.h"
 
 namespace insonify {
 namespace {
@@ -208,6 +206,13 @@ void Scenario::validate() const {
   if (view.has_value()) {
     check_view(*view);
   }
+}
+
+std::size_t sonar_index(int sonar, std::size_t count) {
+  if (sonar < 0 || static_cast<std::size_t>(sonar) >= count) {
+    throw Error(fmt::format("sonar = {} must be from 0 to {}, the last", sonar, count - 1));
+  }
+  return static_cast<std::size_t>(sonar);
 }
 
 }  // namespace insonify

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "insonify/error.h"
-#include "simulator/check_pose.h"
+#include "simulator/checks.h"
 
 namespace insonify {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "echo/model/ray_limits.h"
+#include "echo/model/hit.h"
 #include "echo/targets/interference.h"
 #include "receiver/array/line_array.h"
 #include "simulator/simulated_sonar.h"

@@ -8,7 +8,7 @@
 
 #include "insonify/error.h"
 #include "insonify/field.h"
-#include "simulator/check_pose.h"
+#include "simulator/checks.h"
 
 namespace insonify {
 namespace {

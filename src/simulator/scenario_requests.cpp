@@ -8,8 +8,7 @@
 #include <numeric>
 
 #include "insonify/error.h"
-#include "simulator/check_speeds.h"
-#include "simulator/sonar_index.h"
+#include "simulator/checks.h"
 
 namespace insonify {
 namespace {

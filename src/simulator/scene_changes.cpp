@@ -9,7 +9,7 @@
 
 #include "echo/engine.h"
 #include "insonify/error.h"
-#include "simulator/check_pose.h"
+#include "simulator/checks.h"
 #include "simulator/movable_objects.h"
 
 namespace insonify {

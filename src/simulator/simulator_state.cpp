@@ -3,7 +3,7 @@
 #include "simulator/simulator_state.h"
 
 #include "insonify/error.h"
-#include "simulator/sonar_index.h"
+#include "simulator/checks.h"
 
 namespace insonify {
 

@@ -12,7 +12,7 @@
 #include "echo/engine.h"
 #include "echo/targets/scene_targets.h"
 #include "insonify/simulator.h"
-#include "receiver/displaced_instance.h"
+#include "receiver/ping_motion.h"
 #include "simulator/movable_objects.h"
 #include "simulator/mutual_interference.h"
 #include "simulator/sea_plane.h"

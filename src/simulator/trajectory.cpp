@@ -6,7 +6,7 @@
 
 #include "insonify/error.h"
 #include "insonify/scenario.h"
-#include "simulator/check_speeds.h"
+#include "simulator/checks.h"
 
 namespace insonify {
 namespace {

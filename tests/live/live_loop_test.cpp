@@ -124,7 +124,7 @@ TEST_F(LiveLoopTest, PausesStepsAndGoesOn) {
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
   EXPECT_EQ(keeper_.pings().size(), 2U) << "the first of both, to have something to show";
   loop->step();
-  keeper_.wait_for_pings(1);
+  keeper_.wait_for_all(3);
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
   EXPECT_EQ(keeper_.pings().size(), 3U) << "of the fls alone, at 0.03 s";
   EXPECT_EQ(keeper_.pings().back().ping.time, 0.03);

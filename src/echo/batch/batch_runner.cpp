@@ -6,7 +6,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "echo/model/ray_limits.h"
+#include "echo/model/hit.h"
 #include "echo/model/see_through.h"
 
 namespace insonify {

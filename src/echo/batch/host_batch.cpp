@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "echo/model/deposit_together.h"
+#include "echo/model/deposit.h"
 
 namespace insonify {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "echo/model/deposit.h"
-#include "echo/model/ray_limits.h"
+#include "echo/model/hit.h"
 #include "echo/model/see_through.h"
 
 namespace insonify {

@@ -8,7 +8,7 @@
 
 #include "base/denormals.h"
 #include "echo/cpu/cpu_engine.h"
-#include "echo/model/deposit_together.h"
+#include "echo/model/deposit.h"
 #include "echo/rays/primary_choice.h"
 
 namespace insonify {

@@ -7,7 +7,7 @@
 #include "echo/cpu/secondary_task.h"
 #include "echo/mirror/mirror_paths.h"
 #include "echo/model/deposit.h"
-#include "echo/model/ray_limits.h"
+#include "echo/model/hit.h"
 
 namespace insonify {
 namespace {

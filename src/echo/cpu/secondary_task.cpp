@@ -8,7 +8,7 @@
 
 #include "base/vector_math.h"
 #include "echo/model/deposit.h"
-#include "echo/model/ray_limits.h"
+#include "echo/model/hit.h"
 
 namespace insonify {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "echo/laws/laws.h"
 #include "echo/model/deposit.h"
-#include "echo/model/ray_limits.h"
+#include "echo/model/hit.h"
 
 namespace insonify {
 

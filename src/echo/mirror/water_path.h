@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "echo/grid/echo.h"
-#include "echo/model/coherent_share.h"
+#include "echo/model/flat_plan.h"
 #include "insonify/acoustics/backscatter.h"
 #include "insonify/scene.h"
 

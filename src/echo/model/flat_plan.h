@@ -244,4 +244,16 @@ inline int FlatPlan::nearest_beam(float bearing) const {
   return beam;
 }
 
+/// precise::coherent_share() of a surface; with rough_mirrors 0.
+/// @param cosine  Cosine of the angle of incidence, of either sign.
+inline double coherent_share(const FlatPlan& plan, SurfaceLabel surface, double cosine) {
+  return plan.rough_mirrors ? 0 : precise::coherent_share(plan.scatter.scattering(surface).roughness, cosine);
+}
+
+/// Coherent reflectance |R|^2 e^-g.
+/// @param cosine  Cosine of the angle of incidence, 0..1.
+inline double coherent_reflectance(const FlatPlan& plan, SurfaceLabel surface, double cosine) {
+  return plan.scatter.scattering(surface).reflectance(cosine) * coherent_share(plan, surface, cosine);
+}
+
 }  // namespace insonify

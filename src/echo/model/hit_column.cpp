@@ -9,7 +9,6 @@
 #include "echo/laws/laws.h"
 #include "echo/model/left_out.h"
 #include "echo/model/see_through.h"
-#include "echo/model/select_hits.h"
 
 namespace insonify {
 namespace {

@@ -1,12 +1,11 @@
 // select_hits.cpp -- systematic sampling along a column.
 
-#include "echo/model/select_hits.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "base/vector_math.h"
 #include "echo/laws/laws.h"
+#include "echo/model/hit_column.h"
 
 namespace insonify {
 namespace {

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "echo/laws/laws.h"
+#include "echo/model/hit.h"
 #include "echo/model/hit_column.h"
-#include "echo/model/ray_limits.h"
 
 namespace insonify {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "echo/model/ray_limits.h"
+#include "echo/model/hit.h"
 
 namespace insonify {
 ColumnFrame::ColumnFrame(const Lattice& lattice, int column, const Pose& world_from_sonar) {

@@ -5,7 +5,7 @@
 
 #include "echo/laws/laws.h"
 #include "echo/mirror/secondary_echo.h"
-#include "echo/model/ray_limits.h"
+#include "echo/model/hit.h"
 #include "echo/reference/reference_column.h"
 
 namespace insonify {

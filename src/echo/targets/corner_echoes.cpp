@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "echo/model/coherent_share.h"
+#include "echo/model/flat_plan.h"
 #include "echo/targets/point_echoes.h"
 
 namespace insonify {

@@ -8,7 +8,7 @@
 
 #include "acoustics/fresnel.h"
 #include "base/vector_math.h"
-#include "echo/model/coherent_share.h"
+#include "echo/model/flat_plan.h"
 #include "echo/targets/fresnel_reach.h"
 #include "echo/targets/point_echoes.h"
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "echo/model/ray_limits.h"
+#include "echo/model/hit.h"
 
 namespace insonify {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "base/philox.h"
-#include "echo/model/coherent_share.h"
-#include "echo/model/ray_limits.h"
+#include "echo/model/flat_plan.h"
+#include "echo/model/hit.h"
 #include "echo/targets/lines_of_sight.h"
 #include "echo/targets/point_echoes.h"
 

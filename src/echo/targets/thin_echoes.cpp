@@ -8,7 +8,7 @@
 
 #include "base/vector_math.h"
 #include "echo/laws/laws.h"
-#include "echo/model/ray_limits.h"
+#include "echo/model/hit.h"
 
 namespace insonify {
 namespace {

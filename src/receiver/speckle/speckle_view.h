@@ -8,7 +8,7 @@
 
 #include "echo/grid/echo.h"
 #include "insonify/geometry.h"
-#include "receiver/displaced_instance.h"
+#include "receiver/ping_motion.h"
 
 namespace insonify {
 

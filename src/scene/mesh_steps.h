@@ -1,4 +1,4 @@
-// crease_normals.h -- computes shading normals from the triangles: averaged over flat edges, split along sharp ones.
+// mesh_steps.h -- steps in which a mesh is cleaned: normals from the triangles, and vertices that are shared.
 
 #pragma once
 
@@ -19,5 +19,9 @@ std::size_t turn_normals_to_winding(Mesh& mesh);
 
 /// Unit normal of a triangle by the right-hand rule. The triangle must not be degenerate.
 [[nodiscard]] Vec3f face_normal(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle);
+
+/// Merges vertices with exactly equal position and normal (-0 equals 0) and removes those that no triangle uses. The
+/// order of the remaining ones is preserved. All indices must be valid, and `normals` as long as `vertices`.
+void weld_vertices(Mesh& mesh);
 
 }  // namespace insonify
