@@ -63,15 +63,15 @@ TEST_F(CliStopTest, CtrlCEndsAPingThatTakesLong) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> place(-8, 8);
   std::string mesh;
-  for (int i = 0; i < 60'000; ++i) {
+  for (int i = 0; i < 6'000; ++i) {
     mesh += fmt::format("v {:.3f} {:.3f} {:.3f}\n", place(random), place(random), place(random));
   }
-  for (int i = 1; i < 60'000; i += 3) {
+  for (int i = 1; i < 6'000; i += 3) {
     mesh += fmt::format("f {} {} {}\n", i, i + 1, i + 2);
   }
   folder.write("dense.obj", mesh);
   const std::vector<std::vector<std::string>> heavy = {
-      {"--engine", "reference", "--set", "world=dense.obj", "--set", "sampling={columns_per_beam: 64, rows: 200}"},
+      {"--engine", "reference", "--set", "world=dense.obj", "--set", "sampling={columns_per_beam: 64, rows: 2000}"},
       {"--engine", "cpu", "--set", "world=dense.obj", "--set", "sampling={columns_per_beam: 256, rows: 8192}"}};
   for (std::size_t i = 0; i < heavy.size(); ++i) {
     const std::filesystem::path out = fmt::format("out_{}", i);
@@ -141,10 +141,10 @@ TEST_F(CliStopTest, CtrlCWhileTheSceneIsDrawnEndsAtOnce) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> place(-20, 20);
   std::string mesh;
-  for (int i = 0; i < 60'000; ++i) {
+  for (int i = 0; i < 6'000; ++i) {
     mesh += fmt::format("v {:.3f} {:.3f} {:.3f}\n", place(random), place(random), place(random));
   }
-  for (int i = 1; i < 60'000; i += 3) {
+  for (int i = 1; i < 6'000; i += 3) {
     mesh += fmt::format("f {} {} {}\n", i, i + 1, i + 2);
   }
   folder.write("dense.obj", mesh);
@@ -212,7 +212,7 @@ TEST_F(CliStopTest, ARunThatIsKilledAtAnyMomentLeavesARecordingThatOpens) {
     if (grows) {
       wait_for_pings(recording);
     }
-    usleep(static_cast<useconds_t>(random() % 60'000));
+    usleep(static_cast<useconds_t>(random() % 6'000));
     process.send(SIGKILL);
     EXPECT_EQ(process.end().status, -1);
     if (!std::filesystem::exists(recording)) {

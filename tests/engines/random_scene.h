@@ -8,7 +8,7 @@
 
 namespace insonify::testing_scenes {
 
-inline constexpr int kScenes = 200;
+inline constexpr int kScenes = 80;
 
 class Dice {
  public:

@@ -163,7 +163,7 @@ Scene roughened(const RandomScene& random, int seed) {
 // engines therefore agree in the sum over all scenes, but not in each scene.
 TEST_P(ReliefEchoTest, AgreesWithTheReference) {
   double apart[3] = {}, sum[3] = {};
-  for (int seed = 0; seed < 20; ++seed) {
+  for (int seed = 0; seed < 10; ++seed) {
     const RandomScene random(seed);
     const Scene scene = roughened(random, seed);
     const FlatPlanSettings settings{.sonar = random.sonar,

@@ -64,7 +64,7 @@ class Scan {
   }
 
  private:
-  // Calls visit(grid) with the echoes of each ping; of a scanning head, of every tenth.
+  // Calls visit(grid) with the echoes of each ping; of every fourth; of a scanning head, of every tenth.
   template <typename Visit>
   void for_pings(SecondaryEchoes secondary, int stagger_phase, const Visit& visit) {
     const Scenario& scenario = simulator_.scenario();
@@ -77,7 +77,7 @@ class Scan {
                                     .seed = scenario.seed,
                                     .stagger_phase = stagger_phase};
     const auto plan = make_flat_plan(settings);
-    const std::uint64_t step = sonar.beam_count == 1 ? 10 : 1;
+    const std::uint64_t step = sonar.beam_count == 1 ? 10 : 4;
     EchoGrid grid(sonar.beam_count, sonar.bin_count, kPathOrders);
     for (std::uint64_t ping = 0; ping < static_cast<std::uint64_t>(scenario.pings); ping += step) {
       engine_.insonify(*plan, simulator_.world_from_head(0, ScenarioRequests(scenario).at(0, ping)), grid);

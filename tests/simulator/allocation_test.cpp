@@ -78,7 +78,7 @@ Scenario busy_scenario(int beams) {
   return scenario;
 }
 
-// Number of allocations in the last hundred pings.
+// Number of allocations in the last forty pings.
 // @param open_share  Of a net before the port half of the fan; 0: there is none.
 int allocations_of_pings(const Scenario& scenario, int threads, double open_share = 0) {
   SceneMaker maker;
@@ -110,9 +110,9 @@ int allocations_of_pings(const Scenario& scenario, int threads, double open_shar
     return allocations - before;
   };
   // On a busy machine, worker threads may start only some pings later, and then allocate their own state.
-  int last = allocations_of(100);
+  int last = allocations_of(40);
   for (int i = 0; i < 6 && (i == 0 || last > 0); ++i) {
-    last = allocations_of(100);
+    last = allocations_of(40);
   }
   EXPECT_GT(simulator.ray_counts().return_legs, 0U);
   return last;

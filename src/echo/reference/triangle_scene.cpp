@@ -1,4 +1,4 @@
-// triangle_scene.cpp -- intersects a ray with all triangles.
+// triangle_scene.cpp -- intersects a ray with all triangles of the objects that it may meet.
 
 #include "echo/reference/triangle_scene.h"
 
@@ -26,10 +26,13 @@ Crossing cross_triangle(const Ray& ray, const Vec3& corner, const Vec3& edge1, c
   }
   const Vec3 from_corner = ray.origin - corner;
   const double u = from_corner.dot(p) / determinant;
+  if (u < 0 || u > 1) {
+    return {};
+  }
   const Vec3 q = from_corner.cross(edge1);
   const double v = ray.direction.dot(q) / determinant;
   const double distance = edge2.dot(q) / determinant;
-  const bool inside = u >= 0 && v >= 0 && u + v <= 1;
+  const bool inside = v >= 0 && u + v <= 1;
   return inside && distance > ray.min_distance && distance < ray.max_distance ? Crossing{distance, u, v} : Crossing{};
 }
 
@@ -52,6 +55,29 @@ void TriangleScene::place(int index, const Pose& world_from_mesh) {
     triangle.instance = static_cast<std::uint16_t>(index);
     triangle.material = instance.materials[mesh.slot_of(t)];
   }
+  Eigen::AlignedBox3d box;
+  for (const Vec3f& vertex : mesh.vertices) {
+    box.extend(vertex.cast<double>());
+  }
+  balls_[index] = {world_from_mesh * box.center(), 0.25 * box.diagonal().squaredNorm()};
+}
+
+// Calls visit(triangle) with the triangles of all objects whose ball the ray's line passes, until it returns true.
+template <typename Visit>
+void TriangleScene::visit_near(const Ray& ray, const Visit& visit) const {
+  constexpr double kRounding = 1e-9;
+  for (std::size_t i = 0; i < balls_.size(); ++i) {
+    const Vec3 there = balls_[i].middle - ray.origin;
+    const double square = there.squaredNorm(), along = there.dot(ray.direction);
+    if (square - along * along > balls_[i].square + kRounding * (square + balls_[i].square)) {
+      continue;
+    }
+    for (std::size_t t = first_triangle_[i]; t < first_triangle_[i + 1]; ++t) {
+      if (visit(triangles_[t])) {
+        return;
+      }
+    }
+  }
 }
 
 void TriangleScene::set(const Scene& scene, const Vec3& origin) {
@@ -67,6 +93,7 @@ void TriangleScene::set(const Scene& scene, const Vec3& origin) {
   }
   faces_.clear();
   poses_.assign(scene.instances.size(), {});
+  balls_.assign(scene.instances.size(), {});
   for (const Instance& instance : scene.instances) {
     faces_.push_back(instance.present ? find_faces(*instance.mesh) : nullptr);
   }
@@ -77,6 +104,7 @@ void TriangleScene::set(const Scene& scene, const Vec3& origin) {
       place(static_cast<int>(i), scene.instances[i].world_from_mesh);
     }
   }
+  first_triangle_.push_back(triangles_.size());
 }
 
 void TriangleScene::move(int instance, const Pose& world_from_mesh) {
@@ -87,13 +115,14 @@ void TriangleScene::move(int instance, const Pose& world_from_mesh) {
 RayHit TriangleScene::nearest(const Ray& ray) const {
   Crossing best;
   const Triangle* hit = nullptr;
-  for (const Triangle& triangle : triangles_) {
+  visit_near(ray, [&](const Triangle& triangle) {
     const Crossing crossing = cross_triangle(ray, triangle.corner, triangle.edge1, triangle.edge2);
     if (crossing.distance < best.distance) {
       best = crossing;
       hit = &triangle;
     }
-  }
+    return false;
+  });
   if (hit == nullptr) {
     return {.distance = kFar};
   }
@@ -115,12 +144,12 @@ RayHit TriangleScene::nearest(const Ray& ray) const {
 }
 
 bool TriangleScene::blocked(const Ray& ray) const {
-  for (const Triangle& triangle : triangles_) {
-    if (cross_triangle(ray, triangle.corner, triangle.edge1, triangle.edge2).distance < kFar) {
-      return true;
-    }
-  }
-  return false;
+  bool is_blocked = false;
+  visit_near(ray, [&](const Triangle& triangle) {
+    is_blocked = cross_triangle(ray, triangle.corner, triangle.edge1, triangle.edge2).distance < kFar;
+    return is_blocked;
+  });
+  return is_blocked;
 }
 
 FaceEdges TriangleScene::face_edges(const RayHit& mirror, const Vec3& point) const {

@@ -1,4 +1,4 @@
-// triangle_scene.h -- a Scene as a list of triangles, without any search structure.
+// triangle_scene.h -- a Scene as a list of triangles, searched one by one but for objects that a ray cannot meet.
 
 #pragma once
 
@@ -62,13 +62,21 @@ class TriangleScene {
     Vec3 normal[3];
     std::uint16_t instance, material;
   };
+  // A ball around an instance.
+  struct Ball {
+    Vec3 middle = Vec3::Zero();
+    double square = 0;  // Of its radius [m^2].
+  };
   void place(int instance, const Pose& world_from_mesh);
+  template <typename Visit>
+  void visit_near(const Ray& ray, const Visit& visit) const;
 
   const Scene* scene_ = nullptr;
   Vec3 origin_ = Vec3::Zero();
   WaterPlane water_;
   std::vector<Triangle> triangles_;
-  std::vector<std::size_t> first_triangle_;              // [instance]
+  std::vector<std::size_t> first_triangle_;              // [instance], and at the end the number of triangles.
+  std::vector<Ball> balls_;                              // [instance]
   std::vector<float> reflectivity_;                      // [material]
   std::vector<std::shared_ptr<const MeshFaces>> faces_;  // [instance]
   std::vector<Pose> poses_;                              // [instance]

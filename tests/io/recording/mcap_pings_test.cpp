@@ -116,7 +116,7 @@ TEST_F(McapPingsTest, BrokenRecordingsAreRefusedWithTheirName) {
   record_ping("a.mcap");
   const std::string whole = text_of("a.mcap");
   int refused = 0;
-  for (std::size_t i = 8; i < whole.size(); i += 7) {
+  for (std::size_t i = 8; i < whole.size(); i += 13) {
     std::string broken = whole;
     broken[i] = static_cast<char>(broken[i] ^ 0x05);
     std::filesystem::remove("broken.mcap");  // Some file systems wait for the disk when a file is cut to nothing.
