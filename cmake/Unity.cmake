@@ -2,12 +2,13 @@
 # headers are parsed, and templates instantiated, once for all of them, in less than half of the time. Pings are as fast: of
 # five scenes, 2 % faster to 1 % slower. Names of a file's own (in anonymous namespaces) must therefore be unique within a
 # folder; the preset `dev` compiles file by file.
-# insonify_unity(TARGET [EXCEPT REGEX]): files whose paths match REGEX are compiled one by one.
+# insonify_unity(TARGET [EXCEPT REGEX] [TOGETHER REGEX]): files whose paths match EXCEPT are compiled one by one; files that include
+# a header that matches TOGETHER, which takes long to compile, are compiled as one, whatever their folders.
 function(insonify_unity target)
   if(NOT CMAKE_UNITY_BUILD)
     return()
   endif()
-  cmake_parse_arguments(PARSE_ARGV 1 given "" EXCEPT "")
+  cmake_parse_arguments(PARSE_ARGV 1 given "" "EXCEPT;TOGETHER" "")
   get_target_property(sources ${target} SOURCES)
   list(FILTER sources INCLUDE REGEX "\\.cpp$")
   foreach(source IN LISTS sources)
@@ -18,6 +19,13 @@ function(insonify_unity target)
     endif()
     cmake_path(GET path PARENT_PATH folder)
     string(MAKE_C_IDENTIFIER "in_${folder}" group)
+    if(given_TOGETHER)
+      file(STRINGS ${source} heavy REGEX "^#include .(${given_TOGETHER})")
+      if(heavy)
+        set_source_files_properties(${source} PROPERTIES UNITY_GROUP together)
+        continue()
+      endif()
+    endif()
     math(EXPR count_${group} "${count_${group}} + 1")
     math(EXPR part "${count_${group}} / 10")  # A larger folder in parts, so that every processor has some.
     set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group}_${part})

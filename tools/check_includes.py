@@ -57,7 +57,7 @@ ROOMS = {
         "console": [],
         "pictures": ["console"],
         "run": ["console", "pictures"],
-        "replay": ["console", "serve"],
+        "replay": ["console", "pictures", "serve"],
         "transport": ["console"],
         "emulate": ["console", "transport"],
         "bridge": ["console", "transport"],
@@ -71,8 +71,8 @@ ROOMS = {
 # Folders whose files include each other by paths that begin there; elsewhere paths begin at src/.
 ROOTS = {"apps": ("apps/insonify/", "apps/bridges/")}
 
-# Libraries that stay in one place: headers that begin so are included there and nowhere else in src/.
-LIBRARIES = {"embree": "src/echo/cpu/", "assimp": "src/io/mesh/", "sdf/": "src/io/sdf/", "yaml-cpp": "src/io/scenario/", "zstd": "src/io/mcap/"}
+# Libraries that stay in one place: headers that begin so are included there and nowhere else in src/ and apps/.
+LIBRARIES = {"CLI/": "apps/insonify/console/", "boost/beast": "apps/insonify/serve/net/", "embree": "src/echo/cpu/", "assimp": "src/io/mesh/", "sdf/": "src/io/sdf/", "yaml-cpp": "src/io/scenario/", "zstd": "src/io/mcap/"}
 
 # The module that each public header speaks for. Those in a folder of include/insonify/ speak for the module of its name.
 PUBLIC = {
@@ -174,7 +174,7 @@ def room_violation(module, room, include):
 
 
 def library_violation(file, include):
-    """Why a file below src/ may not include <include>, or None if it may."""
+    """Why a file below src/ or apps/ may not include <include>, or None if it may."""
     for library, home in LIBRARIES.items():
         if include.startswith(library) and not file.startswith(home):
             return f"belongs in {home}"
@@ -215,7 +215,7 @@ def main():
             reason = None
             if match:
                 reason = violation(module, match.group(1)) or room_violation(module, room, match.group(1))
-            elif system and file.parts[0] == "src":
+            elif system and file.parts[0] in ("src", "apps"):
                 match, reason = system, library_violation(file.as_posix(), system.group(1))
             if reason:
                 print(f"{file}:{number}: {module} may not include {match.group(1)}, which {reason}")

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "transport/dds_options.h"
+#include "transport/bridge_options.h"
 
 namespace insonify {
 

@@ -13,7 +13,7 @@
 #include "dds/type_hash.h"
 #include "insonify/error.h"
 #include "insonify/printable.h"
-#include "transport/set_request.h"
+#include "transport/bridge.h"
 
 namespace insonify {
 namespace {

@@ -10,7 +10,6 @@
 
 #include "dds/raw_type.h"
 #include "transport/bridge.h"
-#include "transport/dds_options.h"
 
 namespace insonify {
 

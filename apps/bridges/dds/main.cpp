@@ -13,7 +13,6 @@
 #include "dds/dds_inputs.h"
 #include "dds/dds_transport.h"
 #include "transport/bridge_program.h"
-#include "transport/event_loop.h"
 
 namespace insonify {
 namespace {
@@ -56,7 +55,6 @@ int run(const BridgeRequest& request) {
                     .set_topic = options.set_topic},
                    bridge.loop());
   note_when_asked(IgnoredInterrupt::kEnds);
-  EventLoop loop(bridge.report());
   bridge.start();
   inputs.start();
   if (!request.bridge.quiet) {
@@ -64,7 +62,7 @@ int run(const BridgeRequest& request) {
         options.set_topic);
     flush_output();
   }
-  loop.run();
+  report_until_stopped(bridge.report());
   inputs.end();
   bridge.end();
   transport.finish();

@@ -14,7 +14,6 @@
 #include "gazebo/gazebo_transport.h"
 #include "insonify/files.h"
 #include "transport/bridge_program.h"
-#include "transport/event_loop.h"
 
 namespace insonify {
 namespace {
@@ -73,7 +72,6 @@ int run(const BridgeRequest& request) {
   GazeboTransport transport;
   Bridge bridge(options, transport, MessageForm::kGazebo);
   note_when_asked(IgnoredInterrupt::kEnds);
-  EventLoop loop(bridge.report());
   const Scenario scenario = load_scenario(options.scenario, options.settings);
   bridge.start();
   GazeboFollower follower(
@@ -84,7 +82,7 @@ int run(const BridgeRequest& request) {
       WorldParts(scenario.world.empty() ? scenario.file : scenario.world, world_options(scenario), log), bridge.loop(),
       log);
   follower.start();
-  loop.run();
+  report_until_stopped(bridge.report());
   follower.end();
   bridge.end();
   if (!quiet) {

@@ -5,6 +5,7 @@
 #include <ros/param.h>
 #include <ros/this_node.h>
 
+#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <string>
@@ -24,7 +25,6 @@
 #include "ros1/ros_transport.h"
 #include "ros1/ros_watch.h"
 #include "transport/bridge_program.h"
-#include "transport/event_loop.h"
 
 namespace insonify {
 namespace {
@@ -92,13 +92,13 @@ int run(const BridgeRequest& given, int& argc, char** argv) {
   RosSettings settings(bridge);
   inputs.start();
   note_when_asked(IgnoredInterrupt::kEnds);
-  EventLoop loop(bridge.report());
-  RosWatch watch(master, pid, settings.services(), [&loop] { loop.context().stop(); });
+  std::atomic<bool> ended = false;
+  RosWatch watch(master, pid, settings.services(), [&ended] { ended = true; });
   if (!options.quiet) {
     say("node {} of ROS 1, roscore at {}\n", ros::this_node::getName(), master.uri());
     flush_output();
   }
-  loop.run();
+  report_until_stopped(bridge.report(), ended);
   const auto report = [&options, &bridge] {
     if (!options.quiet) {
       say("{}\n", bridge.report().text());

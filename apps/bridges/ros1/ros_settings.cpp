@@ -13,7 +13,6 @@
 #include "insonify/messages.h"
 #include "insonify/printable.h"
 #include "ros1/ros_topics.h"
-#include "transport/set_request.h"
 
 namespace insonify {
 namespace {

@@ -1,18 +1,15 @@
-// about.h -- commands that describe insonify: presets, keys, version.
+// about.h -- commands that describe what insonify knows: presets and keys.
 
 #pragma once
 
-#include <string>
+#include "console/command.h"
 
 namespace insonify {
 
 /// insonify sonars: lists all presets, or shows one in full.
-int sonars(const std::string& name, const std::string& mode);
+void add_sonars(const Command& program);
 
 /// insonify describe: documents every key of a scenario, or of one of its sections.
-int describe(const std::string& section, bool markdown);
-
-/// insonify version.
-int version();
+void add_describe(const Command& program);
 
 }  // namespace insonify

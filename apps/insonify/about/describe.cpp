@@ -59,8 +59,6 @@ void print_markdown(const SectionDescription& section) {
   }
 }
 
-}  // namespace
-
 int describe(const std::string& wanted, bool markdown) {
   std::vector<SectionDescription> sections = describe_scenario();
   if (!wanted.empty()) {
@@ -79,6 +77,18 @@ int describe(const std::string& wanted, bool markdown) {
     markdown ? print_markdown(section) : print_text(section);
   }
   return kDone;
+}
+
+}  // namespace
+
+void add_describe(const Command& program) {
+  const Command command = program.add("describe", "List every key of a scenario: unit, limits, default, meaning");
+  auto& section = command.keep<std::string>();
+  auto& markdown = command.keep<bool>();
+  command.argument("SECTION", &section, "One section only: water, sonars, paper ...", {}, false);
+  command.flag("--markdown", &markdown, "As a page of the manual");
+  command.footer("Examples:\n  insonify describe\n  insonify describe sonars");
+  command.act([&section, &markdown] { return describe(section, markdown); });
 }
 
 }  // namespace insonify

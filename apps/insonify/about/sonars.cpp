@@ -5,7 +5,6 @@
 #include "about/about.h"
 #include "console/console.h"
 #include "console/outcome.h"
-#include "console/table.h"
 #include "insonify/files.h"
 
 namespace insonify {
@@ -60,8 +59,6 @@ int print_preset(const std::string& name, const std::string& mode) {
   return kDone;
 }
 
-}  // namespace
-
 int sonars(const std::string& name, const std::string& mode) {
   return checked_input([&] {
     if (name.empty() && !mode.empty()) {
@@ -69,6 +66,22 @@ int sonars(const std::string& name, const std::string& mode) {
     }
     return name.empty() ? list_all() : print_preset(name, mode);
   });
+}
+
+}  // namespace
+
+void add_sonars(const Command& program) {
+  const Command command = program.add("sonars", "List the instruments with presets, or describe one");
+  auto& preset = command.keep<std::string>();
+  auto& mode = command.keep<std::string>();
+  command.argument("PRESET", &preset, "Instrument to describe, with the source of each number", {}, false);
+  command.option("--mode", "MODE", &mode, "Mode of it, such as low or high");
+  command.footer(
+      "Examples:\n"
+      "  insonify sonars\n"
+      "  insonify sonars blueprint-oculus-m750d --mode high\n\n"
+      "Folders of your own presets, named in INSONIFY_PRESETS (separated by colons), add to the shipped ones.");
+  command.act([&preset, &mode] { return sonars(preset, mode); });
 }
 
 }  // namespace insonify

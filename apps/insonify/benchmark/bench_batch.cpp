@@ -106,9 +106,7 @@ int bench_batch(const BenchOptions& options) {
       }
     }
   }
-  if (!options.json.empty()) {
-    write_rows(options.json, rows);
-  }
+  write_rows(options.json, rows);
   return 0;
 }
 

@@ -109,9 +109,7 @@ int bench_changes(const BenchOptions& options) {
       }
     }
   }
-  if (!options.json.empty()) {
-    write_rows(options.json, rows);
-  }
+  write_rows(options.json, rows);
   return 0;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "benchmark/bench.h"
@@ -14,7 +13,6 @@
 namespace insonify {
 namespace {
 
-constexpr int kEngineWarmUp = 2;
 constexpr int kEngineBlock = 8;  // Consecutive pings, or consecutive floors.
 
 struct EngineRow {
@@ -30,13 +28,6 @@ struct EngineRow {
   double own_bytes = 0, library_bytes = 0;     // Per triangle.
 };
 
-// Median of the ratios of corresponding elements.
-double median_ratio(const std::vector<double>& above, const std::vector<double>& below) {
-  std::vector<double> ratios(above.size());
-  std::ranges::transform(above, below, ratios.begin(), std::divides());
-  return median(std::move(ratios));
-}
-
 // Timings with one number of threads on one scene, block by block.
 class EngineRunner {
  public:
@@ -47,20 +38,14 @@ class EngineRunner {
 
   // Pings, then floors, so that neither finds the other's data in the caches.
   void time_block() {
-    std::vector<double> block_pings, block_floors;
-    for (int i = -kEngineWarmUp; i < kEngineBlock; ++i) {
-      const auto start = std::chrono::steady_clock::now();
-      simulator_.ping(0, {.number = number_++}, ping_);
-      if (i >= 0) {
-        block_pings.push_back(milliseconds_since(start));
-      }
-    }
+    const std::vector<double> block_pings = time_pings(simulator_, kEngineBlock, number_, ping_);
+    std::vector<double> block_floors;
     rays_ = simulator_.ray_counts();
     for (const double seconds :
-         simulator_.time_traversal(0, simulator_.world_from_head(0, {}), kEngineWarmUp + kEngineBlock)) {
+         simulator_.time_traversal(0, simulator_.world_from_head(0, {}), kWarmUpPings + kEngineBlock)) {
       block_floors.push_back(seconds * kMilliseconds);
     }
-    block_floors.erase(block_floors.begin(), block_floors.begin() + kEngineWarmUp);
+    block_floors.erase(block_floors.begin(), block_floors.begin() + kWarmUpPings);
     ping_blocks_.push_back(median(block_pings));
     floor_blocks_.push_back(median(block_floors));
     pings_.insert(pings_.end(), block_pings.begin(), block_pings.end());
@@ -185,9 +170,7 @@ int bench_engine(const BenchOptions& options) {
     }
   }
   bench_models(options, rows);
-  if (!options.json.empty()) {
-    write_rows(options.json, rows);
-  }
+  write_rows(options.json, rows);
   return 0;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "benchmark/bench.h"
@@ -76,10 +77,10 @@ std::vector<std::vector<double>> time_stages(const Scene& scene, int threads, in
   return times;
 }
 
-// Median over turns of the time of a stage divided by (`times`), or minus, that of an earlier one.
-double median_of(const std::vector<double>& later, const std::vector<double>& earlier, bool times) {
+// Median over turns of how much longer a stage takes than an earlier one.
+double median_difference(const std::vector<double>& later, const std::vector<double>& earlier) {
   std::vector<double> values(later.size());
-  std::ranges::transform(later, earlier, values.begin(), [times](double a, double b) { return times ? a / b : a - b; });
+  std::ranges::transform(later, earlier, values.begin(), std::minus());
   return median(std::move(values));
 }
 
@@ -96,8 +97,8 @@ void bench_models(const BenchOptions& options, nlohmann::json& rows) {
     for (const int threads : options.threads) {
       const std::vector<std::vector<double>> times = time_stages(scene, threads, options.repetitions);
       for (std::size_t stage = 0; stage < kStageCount; ++stage) {
-        const double more = stage == 0 ? 0 : median_of(times[stage], times[stage - 1], false);
-        const double ratio = median_of(times[stage], times[0], true), ping_ms = median(times[stage]);
+        const double more = stage == 0 ? 0 : median_difference(times[stage], times[stage - 1]);
+        const double ratio = median_ratio(times[stage], times[0]), ping_ms = median(times[stage]);
         say("{:>9} {:>7} {:<16} | {:>8.2f} {:>8.2f} {:>6.2f}\n", scene.triangle_count(), threads, kStages[stage].name,
             ping_ms, more, ratio);
         flush_output();

@@ -165,12 +165,8 @@ int bench_paper(const PaperBenchOptions& options) {
     }
     rows.insert(rows.end(), three.begin(), three.end());
   }
-  if (!options.json.empty()) {
-    write_rows(options.json, json);
-  }
-  if (!options.markdown.empty()) {
-    write_text(options.markdown, markdown_of(rows));
-  }
+  write_rows(options.json, json);
+  write_text(options.markdown, markdown_of(rows));
   return 0;
 }
 

@@ -14,7 +14,6 @@
 namespace insonify {
 namespace {
 
-constexpr int kPrimaryWarmUp = 2;
 constexpr int kPrimaryBlock = 5;  // Consecutive pings.
 
 struct Fan {
@@ -44,17 +43,7 @@ class PrimaryRunner {
   PrimaryRunner(const Scene& scene, const SonarConfig& sonar, PrimaryEchoes primary)
       : simulator_(scenario_of(sonar, primary), scene, 1) {}
 
-  void time_block() {
-    std::vector<double> block;
-    for (int i = -kPrimaryWarmUp; i < kPrimaryBlock; ++i) {
-      const auto start = std::chrono::steady_clock::now();
-      simulator_.ping(0, {.number = number_++}, ping_);
-      if (i >= 0) {
-        block.push_back(milliseconds_since(start));
-      }
-    }
-    blocks_.push_back(median(block));
-  }
+  void time_block() { blocks_.push_back(median(time_pings(simulator_, kPrimaryBlock, number_, ping_))); }
 
   [[nodiscard]] double milliseconds() const { return median(blocks_); }
   [[nodiscard]] bool drew() { return simulator_.ray_counts().primary == 0; }
@@ -115,9 +104,7 @@ int bench_primary(const BenchOptions& options) {
     }
   }
   say("\nlargest regret {:.0f} %\n", 100 * worst);
-  if (!options.json.empty()) {
-    write_rows(options.json, rows);
-  }
+  write_rows(options.json, rows);
   return 0;
 }
 

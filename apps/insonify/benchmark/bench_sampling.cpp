@@ -221,9 +221,7 @@ int bench_sampling(const SamplingBenchOptions& options) {
   for (const std::filesystem::path& file : options.scenarios) {
     run_case(case_of(file), options, rows);
   }
-  if (!options.json.empty()) {
-    write_rows(options.json, rows);
-  }
+  write_rows(options.json, rows);
   return 0;
 }
 

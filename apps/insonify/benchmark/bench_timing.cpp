@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "insonify/error.h"
@@ -21,7 +22,28 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() * kMilliseconds;
 }
 
+double median_ratio(const std::vector<double>& above, const std::vector<double>& below) {
+  std::vector<double> ratios(above.size());
+  std::ranges::transform(above, below, ratios.begin(), std::divides());
+  return median(std::move(ratios));
+}
+
+std::vector<double> time_pings(Simulator& simulator, int count, std::uint64_t& number, Ping& ping) {
+  std::vector<double> times;
+  for (int i = -kWarmUpPings; i < count; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    simulator.ping(0, {.number = number++}, ping);
+    if (i >= 0) {
+      times.push_back(milliseconds_since(start));
+    }
+  }
+  return times;
+}
+
 void write_text(const std::filesystem::path& path, const std::string& text) {
+  if (path.empty()) {
+    return;
+  }
   std::ofstream file(path);
   file << text;
   file.flush();

@@ -1,4 +1,4 @@
-// bridge_command.cpp -- finds the program of a bridge and becomes it.
+// bridge_command.cpp -- insonify bridge: finds the program of a bridge and becomes it.
 
 #include "bridge/bridge_command.h"
 
@@ -20,9 +20,10 @@ std::filesystem::path folder_of_this_program() {
   return std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
 }
 
-}  // namespace
-
-void become_bridge(const BridgeKind& kind, std::vector<std::string> words) {
+// Becomes the program insonify-bridge-NAME, that beside this one or else the first on PATH.
+// @param words  Its arguments.
+// @throws Error if it was not built, or cannot be run.
+[[noreturn]] void become_bridge(const BridgeKind& kind, std::vector<std::string> words) {
   const std::string name = fmt::format("insonify-bridge-{}", kind.name);
   const std::string beside = folder_of_this_program() / name;
   words.insert(words.begin(), name);
@@ -43,6 +44,21 @@ void become_bridge(const BridgeKind& kind, std::vector<std::string> words) {
   throw Error(
       fmt::format("bridge {} was not built. `./dev bridges` installs what it needs and builds it; its packages are {}",
                   kind.name, kind.packages));
+}
+
+}  // namespace
+
+void add_bridge(const Command& program, const std::vector<std::string>& words) {
+  const Command command = program.add("bridge", "Publish pings live to ROS 1, ROS 2 or Gazebo");
+  command.footer("Help on one: insonify bridge ros1 --help");
+  for (const BridgeKind& kind : bridge_kinds()) {
+    const Command bridge = command.add(kind.name, kind.help);
+    add_bridge_options(bridge, kind, bridge.keep<BridgeRequest>());
+    bridge.act([bridge, &kind, &words]() -> int {
+      check_other_words(bridge, kind);
+      become_bridge(kind, {words.begin() + 2, words.end()});
+    });
+  }
 }
 
 }  // namespace insonify

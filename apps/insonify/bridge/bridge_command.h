@@ -9,9 +9,8 @@
 
 namespace insonify {
 
-/// Becomes the program insonify-bridge-NAME, that beside this one or else the first on PATH.
-/// @param words  Its arguments.
-/// @throws Error if it was not built, or cannot be run.
-[[noreturn]] void become_bridge(const BridgeKind& kind, std::vector<std::string> words);
+/// Adds the command, and below it one for each bridge.
+/// @param words  The command line, without the program. Must outlive the command line.
+void add_bridge(const Command& program, const std::vector<std::string>& words);
 
 }  // namespace insonify

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "compare/compare_source.h"
@@ -13,6 +14,19 @@
 
 namespace insonify {
 namespace {
+
+struct CompareOptions {
+  std::filesystem::path a, b;        // Recordings, folders of them, or pictures.
+  std::string sonar;                 // Sonar whose recording is used in a folder; "" if the folder has only one.
+  std::vector<std::uint64_t> pings;  // Numbers from 0; empty: all that both recordings have.
+  std::string scale;                 // linear or db; "" for db with recordings of the calibrated model, else linear.
+  double floor_db = -50;             // [dB]
+  // When absent: the largest intensity of both recordings in the calibrated model, else 1.
+  std::optional<double> full_scale;
+  bool counts = false;      // Compare the counts of recordings, linear from 0 to the greatest.
+  bool no_ms_ssim = false;  // Do not compute MS-SSIM where pictures are large enough.
+  bool json = false;
+};
 
 // The requested pings, or all that both recordings have.
 std::vector<std::uint64_t> chosen_pings(const CompareSource& a, const CompareSource& b,
@@ -143,7 +157,7 @@ Comparison compared(const CompareOptions& options) {
   comparison.a = a.name();
   comparison.b = b.name();
   comparison.sonar = a.sonar().empty() ? b.sonar() : a.sonar();
-  Tally tally(comparison, options.ms_ssim);
+  Tally tally(comparison, !options.no_ms_ssim);
   if (!a.is_recording() && !b.is_recording()) {
     if (!options.sonar.empty() || !options.pings.empty()) {
       throw Error(fmt::format("{} and {} are pictures; --sonar and --ping choose from recordings", a.name(), b.name()));
@@ -171,11 +185,40 @@ Comparison compared(const CompareOptions& options) {
 
 }  // namespace
 
-int compare(const CompareOptions& options) {
-  return checked_input([&] {
-    const Comparison comparison = compared(options);
-    options.json ? print_comparison_json(comparison) : print_comparison(comparison);
-    return kDone;
+void add_compare(const Command& program) {
+  const Command command = program.add("compare", "Compare two recordings or two grey pictures");
+  auto& options = command.keep<CompareOptions>();
+  command.argument("A", &options.a, "Recording (.h5, .mcap), folder of recordings, or grey picture (.png)");
+  command.argument("B", &options.b, "The same, of the same shape, compared with A");
+  command.option("--sonar", "NAME", &options.sonar, "Which recording of a folder, or which sonar of an .mcap file");
+  command.option("--ping", "N", &options.pings, "Ping to compare, from 0; may be repeated [all that both have]",
+                 whole_number(0, std::numeric_limits<std::uint64_t>::max()));
+  command.option("--full-scale", "X", &options.full_scale,
+                 "Intensity that counts as 1 [the loudest of both where the calibrated model made them, else 1]",
+                 number_within({.least = 0, .most = 1e30, .least_allowed = false}));
+  command.option("--scale", "NAME", &options.scale,
+                 "How intensities count: linear or db [db where the calibrated model made them]",
+                 one_of({"linear", "db"}));
+  command.option("--floor-db", "DB", &options.floor_db, "Level that counts as 0 on a decibel scale [-50]",
+                 number_within({.least = -300, .most = 0, .most_allowed = false}));
+  command.flag("--counts", &options.counts,
+               "Compare the counts of recordings, as the instrument delivers them: linear, up to the greatest");
+  command.flag("--no-ms-ssim", &options.no_ms_ssim, "Skip MS-SSIM (always skipped below 176 x 176)");
+  command.flag("--json", &options.json, "As JSON, with the numbers of each ping");
+  command.footer(
+      "Prints MSE, PSNR, SSIM, MS-SSIM, correlation and the distance of the histograms, as means over the pings; "
+      "below\n"
+      "them what worthless pictures score against A: a flat grey, A's mean range profile, A's pixels shuffled.\n\n"
+      "Examples:\n"
+      "  insonify compare real.h5 simulated.h5 --ping 0 --ping 5\n"
+      "  insonify compare out_a out_b --sonar fls --json\n"
+      "  insonify compare real.png simulated.png");
+  command.act([&options] {
+    return checked_input([&] {
+      const Comparison comparison = compared(options);
+      options.json ? print_comparison_json(comparison) : print_comparison(comparison);
+      return kDone;
+    });
   });
 }
 

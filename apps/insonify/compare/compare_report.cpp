@@ -10,7 +10,6 @@
 
 #include "compare/comparison.h"
 #include "console/console.h"
-#include "console/table.h"
 #include "insonify/printable.h"
 
 namespace insonify {

@@ -1,4 +1,4 @@
-// console.cpp -- writes to the standard streams and keeps the first error.
+// console.cpp -- writes to the standard streams, keeps the first error and reports it at the end.
 
 #include "console/console.h"
 
@@ -7,10 +7,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <new>
 #include <system_error>
 
 #include "console/outcome.h"
@@ -27,8 +29,6 @@ void check_output(bool good) {
   }
 }
 
-}  // namespace
-
 void open_standard_streams() {
   // open() takes the lowest free descriptor, so those of closed standard streams come first.
   int stream = 0;
@@ -38,6 +38,42 @@ void open_standard_streams() {
   if (stream >= 0) {
     close(stream);
   }
+}
+
+int status_of(const std::function<int()>& program) {
+  try {
+    return program();
+  } catch (const InputError& error) {
+    complain(error.what());
+    return kWrongInput;
+  } catch (const std::bad_alloc&) {
+    complain("out of memory");
+  } catch (const std::exception& error) {
+    complain(error.what());
+  }
+  return kFailed;
+}
+
+// Flushes the standard output and reports a failed write. A closed pipe, as by `head`, is not reported.
+// @return  `status`, or kFailed if a write failed.
+int finish_output(int status) {
+  clear_status();
+  flush_output();
+  if (output_error == 0) {
+    return status;
+  }
+  if (output_error != EPIPE) {
+    complain("standard output: cannot write: " + std::generic_category().message(output_error));
+  }
+  return status == kDone ? kFailed : status;
+}
+
+}  // namespace
+
+int run_guarded(const std::function<int()>& program) {
+  open_standard_streams();
+  std::signal(SIGXFSZ, SIG_IGN);  // Exceeding a file size limit becomes an ordinary write error.
+  return finish_output(status_of(program));
 }
 
 void say_text(std::string_view text) {
@@ -90,16 +126,41 @@ void clear_status() {
   }
 }
 
-int finish_output(int status) {
-  clear_status();
-  flush_output();
-  if (output_error == 0) {
-    return status;
+Log log_to_user(bool quiet) {
+  return [quiet](Severity severity, const std::string& message) {
+    if (severity == Severity::kWarning) {
+      complain("warning: " + message);
+    } else if (!quiet) {
+      say("{}\n", message);
+    }
+  };
+}
+
+void print_table(const std::vector<Row>& rows) {
+  std::vector<std::size_t> widths(rows.front().size());
+  for (const Row& row : rows) {
+    for (std::size_t column = 0; column + 1 < row.size(); ++column) {
+      widths[column] = std::max(widths[column], row[column].size());
+    }
   }
-  if (output_error != EPIPE) {
-    complain("standard output: cannot write: " + std::generic_category().message(output_error));
+  for (const Row& row : rows) {
+    std::string line;
+    for (std::size_t column = 0; column < row.size(); ++column) {
+      line += fmt::format("{:<{}}  ", row[column], widths[column]);
+    }
+    say("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
   }
-  return status == kDone ? kFailed : status;
+}
+
+std::string bytes_text(std::uintmax_t bytes) {
+  constexpr std::array<const char*, 6> kUnits = {"bytes", "kB", "MB", "GB", "TB", "PB"};
+  auto size = static_cast<double>(bytes);
+  std::size_t unit = 0;
+  for (; size >= 999.5 && unit + 1 < kUnits.size(); ++unit) {
+    size /= 1000;
+  }
+  return size < 10 && unit > 0 ? fmt::format("{:.1f} {}", size, kUnits[unit])
+                               : fmt::format("{:.0f} {}", size, kUnits[unit]);
 }
 
 }  // namespace insonify

@@ -1,22 +1,28 @@
-// console.h -- writes to the standard streams and reports failures.
+// console.h -- runs a program's main function, writes to the standard streams and reports failures.
 
 #pragma once
 
 #include <fmt/format.h>
 
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
+#include "insonify/log.h"
 #include "insonify/printable.h"
 
 namespace insonify {
 
-/// Opens closed standard streams on /dev/null, so that no other file gets their descriptors and their output.
-void open_standard_streams();
+/// Runs a program; reports what it throws in one line, and a standard output that could not be written. Closed standard
+/// streams are opened on /dev/null, so that no other file gets their descriptors and their output.
+/// @return  The exit status of the process.
+[[nodiscard]] int run_guarded(const std::function<int()>& program);
 
-/// Writes to the standard output. finish_output() reports failures.
+/// Writes to the standard output. run_guarded() reports failures.
 void say_text(std::string_view text);
 
 /// Converts an argument of say() for printing: strings, which may come from files, are made printable.
@@ -56,8 +62,15 @@ void show_status(std::string_view line);
 /// Removes the status line. Async-signal-safe.
 void clear_status();
 
-/// Flushes the standard output and reports a failed write. A closed pipe, as by `head`, is not reported.
-/// @return  `status`, or kFailed if a write failed.
-[[nodiscard]] int finish_output(int status);
+/// Prints messages of the library to the standard output and warnings to the standard error stream.
+/// @param quiet  Prints warnings only.
+[[nodiscard]] Log log_to_user(bool quiet);
+
+/// Prints rows with columns as wide as their widest cell; the last column is not padded.
+using Row = std::vector<std::string>;
+void print_table(const std::vector<Row>& rows);
+
+/// "812 bytes", "2.6 MB", "34 GB", in powers of 1000.
+[[nodiscard]] std::string bytes_text(std::uintmax_t bytes);
 
 }  // namespace insonify

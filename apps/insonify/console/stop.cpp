@@ -13,7 +13,7 @@
 namespace insonify {
 namespace {
 
-std::atomic<bool> asked = false;
+std::atomic<bool> asked = false, asked_for_report = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "handlers of signals must not wait");
 bool terminal = false;  // Whether the standard error stream is a terminal.
 
@@ -52,10 +52,17 @@ void end_when_asked(IgnoredInterrupt ignored) {
 void note_when_asked(IgnoredInterrupt ignored) {
   terminal = isatty(STDERR_FILENO) != 0;
   handle_with(note, ignored);
+  if (ignored == IgnoredInterrupt::kEnds) {
+    std::signal(SIGUSR1, [](int) { asked_for_report = true; });
+  }
 }
 
 const std::atomic<bool>& stop_asked() {
   return asked;
+}
+
+bool report_asked() {
+  return asked_for_report.exchange(false);
 }
 
 }  // namespace insonify

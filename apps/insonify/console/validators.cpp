@@ -7,59 +7,77 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 
 namespace insonify {
 namespace {
 
-constexpr std::string_view kChoices = "one of ";
+// The number that a whole text is; none for any other text.
+template <typename Number>
+std::optional<Number> number_of(const std::string& text) {
+  Number number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, number);
+  return error == std::errc() && rest == end ? std::optional(number) : std::nullopt;
+}
 
 }  // namespace
 
-CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) {
-  const auto check = [=](const std::string& text) {
-    std::uint64_t number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    const bool good = error == std::errc() && end == text.data() + text.size() && number >= least && number <= most;
-    return good ? std::string() : fmt::format("{} must be a whole number, from {} to {}", text, least, most);
-  };
-  return CLI::Validator(check, "");
+Check whole_number(std::uint64_t least, std::uint64_t most) {
+  return {[=](const std::string& text) {
+    const auto number = number_of<std::uint64_t>(text);
+    return number && *number >= least && *number <= most
+               ? std::string()
+               : fmt::format("{} must be a whole number, from {} to {}", text, least, most);
+  }};
 }
 
-CLI::Validator number_within(const Limits& limits) {
-  const auto check = [=](const std::string& text) {
-    double number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    const bool good = error == std::errc() && end == text.data() + text.size() && limits.allow(number);
-    return good ? std::string() : fmt::format("{} must be a number, {}", text, limits.text());
-  };
-  return CLI::Validator(check, "");
+Check number_within(const Limits& limits) {
+  return {[=](const std::string& text) {
+    const auto number = number_of<double>(text);
+    return number && limits.allow(*number) ? std::string()
+                                           : fmt::format("{} must be a number, {}", text, limits.text());
+  }};
 }
 
-CLI::Validator not_empty(const char* example) {
-  const auto check = [=](const std::string& text) {
+Check one_of(std::vector<std::string> words) {
+  const auto fault = [words](const std::string& text) {
+    return std::ranges::find(words, text) != words.end() ? std::string()
+                                                         : fmt::format("{} must be {}", text, fmt::join(words, " or "));
+  };
+  return {fault, std::move(words)};
+}
+
+Check existing_folder() {
+  return {[](const std::string& text) {
+    std::error_code ignored;
+    return std::filesystem::is_directory(text, ignored) ? std::string() : fmt::format("{} must be a folder", text);
+  }};
+}
+
+Check not_empty(const char* example) {
+  return {[=](const std::string& text) {
     return text.empty() ? fmt::format("must not be empty: name {}", example) : std::string();
-  };
-  return CLI::Validator(check, "");
+  }};
 }
 
-CLI::Validator one_of(std::vector<std::string> words) {
-  // choices_of() reads the words from the validator's name, which no message shows.
-  const std::string name = fmt::format("{}{}", kChoices, fmt::join(words, " "));
-  const auto check = [words = std::move(words)](const std::string& text) {
-    const bool good = std::ranges::find(words, text) != words.end();
-    return good ? std::string() : fmt::format("{} must be {}", text, fmt::join(words, " or "));
-  };
-  return CLI::Validator(check, "", name);
-}
-
-std::vector<std::string> choices_of(CLI::Option& option) {
-  try {
-    const std::string name = option.get_validator(0)->get_name();
-    return name.starts_with(kChoices) ? CLI::detail::split(name.substr(kChoices.size()), ' ')
-                                      : std::vector<std::string>();
-  } catch (const CLI::OptionNotFound&) {
-    return {};  // No validator at all.
+std::optional<std::pair<double, double>> parsed_levels(const std::string& text) {
+  constexpr double kMost = 400;  // [dB]
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos) {
+    return {};
   }
+  const auto low = number_of<double>(text.substr(0, colon)), high = number_of<double>(text.substr(colon + 1));
+  const bool good = low && high && *low >= -kMost && *high <= kMost && *low < *high;
+  return good ? std::optional(std::pair(*low, *high)) : std::nullopt;
+}
+
+Check levels() {
+  return {[](const std::string& text) {
+    return parsed_levels(text)
+               ? std::string()
+               : fmt::format("{} must be LOW:HIGH, two rising levels from -400 to 400 dB, as -90:-40", text);
+  }};
 }
 
 }  // namespace insonify

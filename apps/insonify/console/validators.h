@@ -3,25 +3,37 @@
 
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "insonify/field.h"
 
 namespace insonify {
 
-[[nodiscard]] CLI::Validator whole_number(std::uint64_t least, std::uint64_t most);
+/// What a value on the command line may be.
+struct Check {
+  std::function<std::string(const std::string& text)> fault = {};  ///< Says what would be valid; "" for a valid text.
+  std::vector<std::string> choices = {};                           ///< All valid texts, where they are few words.
+};
 
-[[nodiscard]] CLI::Validator number_within(const Limits& limits);
+[[nodiscard]] Check whole_number(std::uint64_t least, std::uint64_t most);
+[[nodiscard]] Check number_within(const Limits& limits);
+[[nodiscard]] Check one_of(std::vector<std::string> words);
+
+/// A folder that is there.
+[[nodiscard]] Check existing_folder();
 
 /// @param example  An example of what is to be named, for the message.
-[[nodiscard]] CLI::Validator not_empty(const char* example);
+[[nodiscard]] Check not_empty(const char* example);
 
-[[nodiscard]] CLI::Validator one_of(std::vector<std::string> words);
+/// Accepts what parsed_levels() does.
+[[nodiscard]] Check levels();
 
-/// The words that an option's one_of() allows; empty if it has no such check.
-[[nodiscard]] std::vector<std::string> choices_of(CLI::Option& option);
+/// Darkest and brightest level of "LOW:HIGH" [dB]; none if the text is not two increasing numbers within 400 dB.
+[[nodiscard]] std::optional<std::pair<double, double>> parsed_levels(const std::string& text);
 
 }  // namespace insonify

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "console/command.h"
+
 namespace insonify {
 
 struct EmulateOptions {
@@ -20,9 +22,7 @@ struct EmulateOptions {
   bool quiet = false;                 ///< Print only addresses, warnings and errors.
 };
 
-/// Runs until SIGINT or SIGTERM.
-/// @return  kDone. @throws InputError for wrong input, Error for a failure while running
-int emulate_ping360(const EmulateOptions& options);
-int emulate_oculus(const EmulateOptions& options);
+/// Adds the command, and below it one for each instrument. They run until SIGINT or SIGTERM.
+void add_emulate(const Command& program);
 
 }  // namespace insonify

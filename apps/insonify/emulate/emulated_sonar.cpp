@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "console/log_to_user.h"
+#include "console/console.h"
 #include "console/outcome.h"
 #include "console/stop.h"
 #include "insonify/files.h"

@@ -1,10 +1,30 @@
-// listen_address.cpp -- reads --address.
+// listen_address.cpp -- reads --address, and finds the network interface that has it.
 
 #include "emulate/listen_address.h"
 
+#include <ifaddrs.h>
+#include <netinet/in.h>
+
+#include <memory>
+
+#include "console/console.h"
 #include "console/outcome.h"
 
 namespace insonify {
+
+using boost::asio::ip::address_v4;
+
+namespace {
+
+// @return  0.0.0.0 for an address that is absent or not IPv4.
+address_v4 ipv4_of(const sockaddr* address) {
+  if (address == nullptr || address->sa_family != AF_INET) {
+    return {};
+  }
+  return address_v4(ntohl(reinterpret_cast<const sockaddr_in*>(address)->sin_addr.s_addr));
+}
+
+}  // namespace
 
 boost::asio::ip::address address_of(const EmulateOptions& options) {
   boost::system::error_code failure;
@@ -19,6 +39,29 @@ boost::asio::ip::address address_of(const EmulateOptions& options) {
                          printable(options.address)));
   }
   return address;
+}
+
+Ipv4Network network_of(const EmulateOptions& options) {
+  const boost::asio::ip::address address = address_of(options);
+  if (!address.is_v4() || address.is_unspecified()) {
+    throw InputError(fmt::format("--address {} must be one IPv4 address: the sonar sends it in its status messages",
+                                 printable(options.address)));
+  }
+  if (address.is_loopback()) {
+    return {address.to_v4(), address_v4(0xff000000U), address.to_v4()};
+  }
+  ifaddrs* first = nullptr;
+  if (getifaddrs(&first) != 0) {
+    throw Error("cannot list the network interfaces of this machine");
+  }
+  const std::unique_ptr<ifaddrs, decltype(&freeifaddrs)> interfaces(first, &freeifaddrs);
+  for (const ifaddrs* interface = first; interface != nullptr; interface = interface->ifa_next) {
+    if (ipv4_of(interface->ifa_addr) == address.to_v4()) {
+      const address_v4 mask = ipv4_of(interface->ifa_netmask);
+      return {address.to_v4(), mask, address_v4(address.to_v4().to_uint() | ~mask.to_uint())};
+    }
+  }
+  throw Error(fmt::format("--address {}: no network interface of this machine has it", printable(options.address)));
 }
 
 }  // namespace insonify

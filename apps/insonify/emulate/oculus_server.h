@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "emulate/ipv4_network.h"
+#include "emulate/event_loop.h"
+#include "emulate/listen_address.h"
 #include "emulate/oculus_client.h"
 #include "emulate/oculus_pings.h"
-#include "transport/event_loop.h"
 #include "transport/transport_report.h"
 
 namespace insonify {

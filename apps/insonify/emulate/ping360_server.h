@@ -9,9 +9,9 @@
 #include <optional>
 
 #include "emulate/emulated_sonar.h"
+#include "emulate/event_loop.h"
 #include "emulate/serial_line.h"
 #include "insonify/wire/ping360_sonar.h"
-#include "transport/event_loop.h"
 #include "transport/transport_report.h"
 
 namespace insonify {

@@ -14,9 +14,23 @@
 #include "console/stop.h"
 #include "insonify/export.h"
 #include "insonify/recording_info.h"
+#include "pictures/picture_options.h"
 
 namespace insonify {
 namespace {
+
+struct ExportCommand {
+  std::vector<std::filesystem::path> recordings;
+  std::string sonar;  // Sonar of recordings with several; "" for all.
+  std::filesystem::path file;
+  bool force = false;               // Replace a file that is there.
+  int bits = 16;                    // Bits of a value of sonar images in .mcap, 8 or 16.
+  MessageChoice messages;           // What the messages of .mcap and .bag hold.
+  bool store = false;               // Leave .npz uncompressed.
+  std::optional<double> rate = {};  // Pictures a second of a video.
+  PictureOptions pictures;          // Colours and levels.
+  std::vector<std::string> given;   // Names of the options that act on some formats only and were given.
+};
 
 // Refuses options that do nothing for the format.
 void check_effects(const ExportCommand& options) {
@@ -55,8 +69,6 @@ void check_input(const ExportCommand& options, const std::vector<RecordingPart>&
   });
 }
 
-}  // namespace
-
 int export_command(const ExportCommand& options) {
   const PictureStyle style = picture_style(options.pictures, EchoModel::kCalibrated, {});
   ExportOptions how{.replace = options.force, .compress = !options.store};
@@ -80,6 +92,52 @@ int export_command(const ExportCommand& options) {
   export_recordings(std::span<const RecordingPart>(parts), options.file, how);
   say("{}\n", options.file.string());
   return kDone;
+}
+
+}  // namespace
+
+void add_export(const Command& program) {
+  const Command command = program.add("export", "Write recordings in a format that other tools read");
+  auto& options = command.keep<ExportCommand>();
+  auto& bits = command.keep<std::string>();
+  command.argument("RECORDING", &options.recordings, "Recordings (.h5, .mcap) of one run");
+  command.option("-o,--output", "FILE", &options.file, "File to write; its extension is the format",
+                 not_empty("a file, such as run.mcap"));
+  command.require("--output");
+  command.option("--sonar", "NAME", &options.sonar, "Only this sonar of a recording that has several [all]");
+  command.flag("-f,--force", &options.force, "Replace FILE if it exists");
+  command.option("--bits", "N", &bits, "Bits of the values of sonar images in .mcap and .bag, 8 or 16 [16]",
+                 one_of({"8", "16"}));
+  add_message_choice(command, options.messages, "in .mcap and .bag", "[that of the recordings, else 1970]");
+  command.flag("--store", &options.store, "Do not compress .npz");
+  command.option("--rate", "N", &options.rate,
+                 "Frames per second of a video [as fast as the pings were made, at most 50]",
+                 number_within(above_to(0, 120)));
+  add_picture_options(command.under("Pictures"), options.pictures, false);
+  command.footer(
+      "Formats, by the extension of FILE:\n"
+      "  .mcap         ROS 2 messages of all sonars, for Foxglove and ros2 bag\n"
+      "  .bag          ROS 1 messages of all sonars, for rosbag\n"
+      "  .npz          NumPy arrays: numpy.load(FILE)[\"intensity\"]\n"
+      "  .zarr         a folder of chunked arrays, one chunk a ping\n"
+      "  .mp4, .gif    the fan of one sonar, by the program ffmpeg\n"
+      "--colour-map, --levels and --height act on videos. In .mcap and .bag --levels acts on the values of sonar\n"
+      "images and on fan pictures, --colour-map on those.\n\n"
+      "Examples:\n"
+      "  insonify export out/fls.h5 out/profiler.h5 -o out/run.mcap\n"
+      "  insonify export run.mcap --sonar fls -o fls.npz\n"
+      "  insonify export out/fls.h5 -o fls.gif --levels -90:-40 --height 480");
+  command.act([command, &options, &bits] {
+    for (const char* name : {"--bits", "--store", "--rate", "--height", "--colour-map", "--levels"}) {
+      if (command.given(name)) {
+        options.given.emplace_back(name);
+      }
+    }
+    const std::vector<std::string> messages = options.messages.given();
+    options.given.insert(options.given.end(), messages.begin(), messages.end());
+    options.bits = bits == "8" ? 8 : 16;
+    return export_command(options);
+  });
 }
 
 }  // namespace insonify

@@ -15,6 +15,11 @@
 namespace insonify {
 namespace {
 
+struct InfoOptions {
+  std::vector<std::filesystem::path> recordings;
+  bool json = false;
+};
+
 void print_sonar(const RecordedSonar& sonar) {
   const SonarConfig& config = sonar.config;
   say("  {}: {}{}{}", config.name, config.model, config.model.empty() ? "" : ", ", counted(sonar.pings, "ping"));
@@ -90,8 +95,6 @@ nlohmann::ordered_json json_of(const std::filesystem::path& path, const Recordin
   return object;
 }
 
-}  // namespace
-
 int info(const InfoOptions& options) {
   nlohmann::ordered_json objects = nlohmann::ordered_json::array();
   int status = kDone;
@@ -113,6 +116,20 @@ int info(const InfoOptions& options) {
     say_text(objects.dump(2, ' ', kAscii, nlohmann::json::error_handler_t::replace) + "\n");
   }
   return status;
+}
+
+}  // namespace
+
+void add_info(const Command& program) {
+  const Command command = program.add("info", "Describe recordings");
+  auto& options = command.keep<InfoOptions>();
+  command.argument("RECORDING", &options.recordings, "Recordings (.h5, .mcap), also unfinished ones (.new)");
+  command.flag("--json", &options.json, "As JSON, a list with an object for each");
+  command.footer(
+      "Examples:\n"
+      "  insonify info out/fls.h5 run.mcap\n"
+      "  insonify info out/fls.h5.1f2e3d4c.new --json");
+  command.act([&options] { return info(options); });
 }
 
 }  // namespace insonify

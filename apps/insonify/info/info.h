@@ -2,18 +2,11 @@
 
 #pragma once
 
-#include <filesystem>
-#include <vector>
+#include "console/command.h"
 
 namespace insonify {
 
-struct InfoOptions {
-  std::vector<std::filesystem::path> recordings;
-  bool json = false;
-};
-
-/// Describes every recording, also after one that cannot be read.
-/// @return  kDone, or kWrongInput after a message for each file that is not a recording.
-int info(const InfoOptions& options);
+/// Adds the command. It describes every recording, also after one that cannot be read, and returns kWrongInput then.
+void add_info(const Command& program);
 
 }  // namespace insonify

@@ -5,12 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "console/console.h"
 #include "console/outcome.h"
 #include "insonify/recorded_pings.h"
 #include "insonify/recording_info.h"
-#include "pictures/earlier_run.h"
 #include "pictures/output_folder.h"
 #include "pictures/pictures.h"
 
@@ -87,12 +87,10 @@ void draw_pings(const Recorded& recorded, PingPictures& pictures) {
   const bool scans = recorded.sonar.product() == Product::kLine;
   for (std::uint64_t number = 0; number < count; ++number) {
     if (scans || number == 0 || recorded.choice.takes(number, count)) {
-      pictures.add(ping_of(recorded, number));
+      pictures.add(0, ping_of(recorded, number));
     }
   }
-  if (scans) {
-    pictures.finish({});
-  }
+  pictures.close();
 }
 
 }  // namespace
@@ -112,6 +110,32 @@ int draw(const DrawOptions& options) {
     complain("warning: " + text);
   }
   return kDone;
+}
+
+void add_draw_options(const Command& command, DrawOptions& options) {
+  command.option("-o,--output", "DIR", &options.folder, "Folder for the pictures, made if missing [RECORDING's own]",
+                 not_empty("a folder, or . for this one"));
+  command.option("--pictures", "N", &options.pictures.pictures, "Pings to draw: all, last, none or how many [20]");
+  command.option("--ping", "N", &options.pings, "Ping to draw, from 0; may be repeated [those of --pictures]",
+                 whole_number(0, std::numeric_limits<std::uint64_t>::max()));
+  command.flag("-f,--force", &options.force, "Replace existing pictures of this sonar");
+  add_picture_options(command.under("Pictures"), options.pictures);
+  add_counts_option(command.under("Pictures"), options.pictures);
+}
+
+void add_draw(const Command& program) {
+  const Command command = program.add("draw", "Draw pictures of a recording's pings");
+  auto& options = command.keep<DrawOptions>();
+  command.argument("RECORDING", &options.recording, "Recording (.h5, .mcap) that insonify run or export has made");
+  command.option("--sonar", "NAME", &options.sonar, "Which sonar of a recording that has several");
+  add_draw_options(command, options);
+  command.footer(
+      "Draws the pictures that insonify run draws, without simulating anything: NAME_fan_0000.png and\n"
+      "NAME_polar_0000.png of a fan, NAME_scan.png and NAME_polar.png of a scanning sonar.\n\n"
+      "Examples:\n"
+      "  insonify draw out/fls.h5 -o pictures --levels -90:-40\n"
+      "  insonify draw out/fls.mcap -o pictures --ping 3 --colour-map copper --height 1080");
+  command.act([&options] { return draw(options); });
 }
 
 }  // namespace insonify

@@ -23,4 +23,8 @@ struct DrawOptions {
 /// @return  kDone. @throws InputError for wrong input, Error for a failure while running
 int draw(const DrawOptions& options);
 
+/// Adds the command, and the options that `insonify replay` has too.
+void add_draw(const Command& program);
+void add_draw_options(const Command& command, DrawOptions& options);
+
 }  // namespace insonify

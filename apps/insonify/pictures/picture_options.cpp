@@ -1,53 +1,36 @@
-// picture_options.cpp -- command-line options for pictures of pings, converted to a display and a style.
+// picture_options.cpp -- command-line options, converted to a display and a style of pictures, and to options of
+// messages.
 
 #include "pictures/picture_options.h"
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 
-#include "console/levels.h"
 #include "console/outcome.h"
 #include "console/validators.h"
 
 namespace insonify {
 
-void add_picture_options(CLI::App& command, PictureOptions& options, const std::string& group) {
-  command.add_option("--colour-map,--color-map", options.colour_map, "inferno, copper, grey or blue [inferno]")
-      ->type_name("NAME")
-      ->group(group);
-  CLI::Option* scale =
-      command.add_option("--scale", options.scale, "linear or db [db in the calibrated model, linear in the paper's]")
-          ->check(one_of({"linear", "db"}))
-          ->type_name("NAME")
-          ->group(group);
-  CLI::Option* floor = command.add_option("--floor-db", options.floor_db, "Darkest level on a decibel scale [-50]")
-                           ->check(number_within({.least = -300, .most = 0, .most_allowed = false}))
-                           ->type_name("DB")
-                           ->group(group);
-  command
-      .add_option("--levels", options.levels,
-                  "Colour range in decibels as on the colour bar, such as -90:-40 [fitted to the pings]")
-      ->check(levels())
-      ->type_name("LOW:HIGH")
-      ->excludes(floor)
-      ->excludes(scale)
-      ->group(group);
-  command.add_option("--height", options.height, "Height of each picture in pixels, 240 to 8192 [720]")
-      ->check(whole_number(240, 8192))
-      ->type_name("N")
-      ->group(group);
+void add_picture_options(const Command& command, PictureOptions& options, bool with_scale) {
+  command.option("--colour-map,--color-map", "NAME", &options.colour_map, "inferno, copper, grey or blue [inferno]");
+  if (with_scale) {
+    command.option("--scale", "NAME", &options.scale,
+                   "linear or db [db in the calibrated model, linear in the paper's]", one_of({"linear", "db"}));
+    command.option("--floor-db", "DB", &options.floor_db, "Darkest level on a decibel scale [-50]",
+                   number_within({.least = -300, .most = 0, .most_allowed = false}));
+  }
+  command.option("--levels", "LOW:HIGH", &options.levels,
+                 "Colour range in decibels as on the colour bar, such as -90:-40 [fitted to the pings]", levels());
+  command.exclude("--levels", {"--floor-db", "--scale"});
+  command.option("--height", "N", &options.height, "Height of each picture in pixels, 240 to 8192 [720]",
+                 whole_number(240, 8192));
 }
 
-void add_counts_option(CLI::App& command, PictureOptions& options, const std::string& group) {
-  command
-      .add_flag("--counts", options.counts,
-                "Draw the counts that the instrument delivers (receiver.counts), from 0 to the greatest")
-      ->excludes("--scale")
-      ->excludes("--floor-db")
-      ->excludes("--levels")
-      ->group(group);
+void add_counts_option(const Command& command, PictureOptions& options) {
+  command.flag("--counts", &options.counts,
+               "Draw the counts that the instrument delivers (receiver.counts), from 0 to the greatest");
+  command.exclude("--counts", {"--scale", "--floor-db", "--levels"});
 }
 
 PictureStyle picture_style(const PictureOptions& options, EchoModel model, const ReceiverConfig& receiver) {
@@ -87,6 +70,49 @@ PictureStyle picture_style(const PictureOptions& options, EchoModel model, const
     style.display.height = intensities.height;
   }
   return style;
+}
+
+std::vector<std::string> MessageChoice::given() const {
+  std::vector<std::string> names;
+  if (fan_rate) {
+    names.emplace_back("--fan-rate");
+  }
+  if (!start.empty()) {
+    names.emplace_back("--start");
+  }
+  return names;
+}
+
+void add_message_choice(const Command& command, MessageChoice& choice, const std::string& where,
+                        const std::string& default_start) {
+  command.option("--fan-rate", "N", &choice.fan_rate,
+                 "Fan pictures " + where +
+                     " per second of ping time, at most; 0: none [2 for a scanning sonar, else one per ping]",
+                 number_within(from_to(0, 1000)));
+  const Check start_time = {[](const std::string& text) -> std::string {
+    try {
+      (void)start_from_text(text);
+      return {};
+    } catch (const Error& error) {
+      return error.what();
+    }
+  }};
+  command.option("--start", "TIME", &choice.start,
+                 "When the run started, for the times " + where + ": the pings' time 0, such as 2026-06-01T10:00:00Z " +
+                     default_start,
+                 start_time);
+}
+
+MessageOptions message_options(const PictureStyle& style, const MessageChoice& choice) {
+  MessageOptions messages{.colour_map = style.display.colour_map, .fan_rate = choice.fan_rate};
+  if (!choice.start.empty()) {
+    messages.start_ns = start_from_text(choice.start);
+  }
+  if (style.fixed_levels) {
+    messages.high_db = 10 * std::log10(style.display.full_scale);
+    messages.low_db = *messages.high_db + style.display.floor_db;
+  }
+  return messages;
 }
 
 }  // namespace insonify

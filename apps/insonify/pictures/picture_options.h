@@ -1,18 +1,18 @@
-// picture_options.h -- command-line options for pictures of pings, shared by run and draw.
+// picture_options.h -- command-line options for pictures of pings and recordings of messages, shared by several
+// commands.
 
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "console/command.h"
 #include "insonify/engine.h"
 #include "insonify/messages.h"
 #include "insonify/picture.h"
 #include "insonify/receiver_config.h"
 #include "insonify/sonar_config.h"
-
-namespace CLI {  // NOLINT(readability-identifier-naming)
-class App;
-}
 
 namespace insonify {
 
@@ -26,11 +26,12 @@ struct PictureOptions {
   bool counts = false;    ///< Draw counts instead of intensities.
 };
 
-/// Adds the options shared by all commands that draw pings, as a group.
-void add_picture_options(CLI::App& command, PictureOptions& options, const std::string& group);
+/// Adds the options shared by all commands that draw pings.
+/// @param with_scale  Whether there are --scale and --floor-db too.
+void add_picture_options(const Command& command, PictureOptions& options, bool with_scale = true);
 
 /// Adds --counts, beside the options above.
-void add_counts_option(CLI::App& command, PictureOptions& options, const std::string& group);
+void add_counts_option(const Command& command, PictureOptions& options);
 
 /// Style of the pictures of one sonar's pings.
 struct PictureStyle {
@@ -48,5 +49,23 @@ struct PictureStyle {
 /// @throws InputError also if it has none.
 [[nodiscard]] PictureStyle picture_style(const PictureOptions& options, EchoModel model, const ReceiverConfig& receiver,
                                          const SonarConfig& sonar);
+
+/// What recordings of ROS messages hold.
+struct MessageChoice {
+  std::optional<double> fan_rate = {};  ///< MessageOptions::fan_rate.
+  std::string start = {};               ///< MessageOptions::start_ns as text; "": not given.
+
+  /// Names of the options that were given: "--fan-rate", "--start".
+  [[nodiscard]] std::vector<std::string> given() const;
+};
+
+/// Adds the options.
+/// @param where          Which files they act on, for the help: "in .mcap and .bag".
+/// @param default_start  What time 0 is otherwise, for the help: "[1970]".
+void add_message_choice(const Command& command, MessageChoice& choice, const std::string& where,
+                        const std::string& default_start);
+
+/// Messages with the colours of the style, its levels where it fixes them, and what was chosen.
+[[nodiscard]] MessageOptions message_options(const PictureStyle& style, const MessageChoice& choice);
 
 }  // namespace insonify

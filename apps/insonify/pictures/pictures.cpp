@@ -13,6 +13,7 @@
 #include "console/outcome.h"
 
 namespace insonify {
+
 PictureChoice PictureChoice::parse(const std::string& text) {
   if (text == "all") {
     return {.most = std::numeric_limits<std::uint64_t>::max()};
@@ -53,64 +54,46 @@ PingPictures::PingPictures(PictureFolder& folder, const SonarConfig& sonar, cons
   }
 }
 
-void PingPictures::add(const Ping& ping) {
-  if (model_ == EchoModel::kPaper || choice_.most == 0) {
-    add_shown(ping);
+void PingPictures::add(std::size_t /*sonar*/, const Ping& ping) {
+  if (choice_.most == 0 && choice_.only.empty()) {
     return;
   }
-  const Ping raised = shown(ping);
-  if (!scaled_ && !fixed_ && scan_ == nullptr) {
-    display_.full_scale = fitting_full_scale(intensities_to_fit(raised, sonar_));
+  last_ = shown(ping);
+  if (model_ == EchoModel::kCalibrated && !scaled_ && !fixed_ && scan_ == nullptr) {
+    display_.full_scale = fitting_full_scale(intensities_to_fit(last_, sonar_));
     scaled_ = true;
   }
-  add_shown(raised);
-}
-
-// The ping with what is drawn as its intensities, in the calibrated model.
-Ping PingPictures::shown(const Ping& ping) const {
-  return display_.of_counts ? counts_as_intensities(ping) : raised_by_range(ping, sonar_, display_.raised_per_decade);
-}
-
-// One ping of a scan is not representative of the others: each picture is scaled to fit all that it shows.
-void PingPictures::fit_scan() {
-  if (model_ == EchoModel::kCalibrated && !fixed_) {
-    display_.full_scale = scan_->fitting_full_scale();
-  }
-}
-
-void PingPictures::add_shown(const Ping& ping) {
   const bool due = choice_.takes(ping.number, total_);
-  if (due || scan_ != nullptr) {
-    note_brightest(ping);
-  }
+  last_drawn_ = due || scan_ != nullptr;
   if (scan_ != nullptr) {
-    scan_->add(ping);
-    if (due && ping.number + 1 < total_) {  // finish() draws the last ping.
-      fit_scan();
-      write(fmt::format("scan_{:04}", ping.number), scan_->draw(display_));
+    note_brightest();
+    scan_->add(last_);
+    if (due && ping.number + 1 < total_) {  // close() draws the last ping.
+      draw_scan(fmt::format("scan_{:04}", ping.number), false);
     }
-  } else if (sonar_.product() == Product::kImage) {
-    last_drawn_ = due || choice_.most == 0;
-    if (due) {
-      draw_fan_of(ping);
-    }
+  } else if (due && sonar_.product() == Product::kImage) {
+    draw_fan_of_last();
   }
 }
 
-void PingPictures::finish(const Ping& last) {
-  if (scan_ != nullptr) {
-    fit_scan();
-    write("scan", scan_->draw(display_));
-    write("polar", scan_->draw_polar(display_));
+// The ping with what is drawn as its intensities.
+Ping PingPictures::shown(const Ping& ping) const {
+  return model_ == EchoModel::kPaper ? ping
+         : display_.of_counts        ? counts_as_intensities(ping)
+                                     : raised_by_range(ping, sonar_, display_.raised_per_decade);
+}
+
+void PingPictures::close() {
+  if (scan_ != nullptr && !last_.intensity.empty()) {
+    draw_scan("scan", true);
   } else if (!last_drawn_) {
-    const Ping drawn = model_ == EchoModel::kPaper ? last : shown(last);
-    note_brightest(drawn);
-    draw_fan_of(drawn);
+    draw_fan_of_last();
+    last_drawn_ = true;
   }
 }
 
-void PingPictures::note_brightest(const Ping& ping) {
-  for (const float intensity : ping.intensity) {
+void PingPictures::note_brightest() {
+  for (const float intensity : last_.intensity) {
     brightest_ = std::max(brightest_, static_cast<double>(intensity));
     darkest_ = std::min(darkest_, static_cast<double>(intensity));
   }
@@ -134,9 +117,21 @@ std::string PingPictures::darkness_text() const {
                      10 * std::log10(darkest));
 }
 
-void PingPictures::draw_fan_of(const Ping& ping) {
-  write(fmt::format("polar_{:04}", ping.number), draw_polar(ping, sonar_, display_));
-  write(fmt::format("fan_{:04}", ping.number), draw_fan(ping, sonar_, display_));
+void PingPictures::draw_fan_of_last() {
+  note_brightest();
+  write(fmt::format("polar_{:04}", last_.number), draw_polar(last_, sonar_, display_));
+  write(fmt::format("fan_{:04}", last_.number), draw_fan(last_, sonar_, display_));
+}
+
+// One ping of a scan is not representative of the others: each picture is scaled to fit all that it shows.
+void PingPictures::draw_scan(const std::string& name, bool polar) {
+  if (model_ == EchoModel::kCalibrated && !fixed_) {
+    display_.full_scale = scan_->fitting_full_scale();
+  }
+  write(name, scan_->draw(display_));
+  if (polar) {
+    write("polar", scan_->draw_polar(display_));
+  }
 }
 
 void PingPictures::write(const std::string& name, const Picture& picture) {

@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "insonify/picture.h"
-#include "pictures/earlier_run.h"
+#include "insonify/ping_sink.h"
+#include "pictures/output_folder.h"
 #include "pictures/picture_options.h"
 
 namespace insonify {
@@ -29,7 +30,7 @@ struct PictureChoice {
 
 /// Draws one sonar's pings into a folder. For a fan: NAME_polar_0000.png and NAME_fan_0000.png. For a scanning sonar:
 /// NAME_scan_0000.png, the scan up to a ping, and at the end NAME_scan.png and the waterfall NAME_polar.png.
-class PingPictures {
+class PingPictures final : public PingSink {
  public:
   /// In the calibrated model the display may apply gain by range, or be that of counts. Unless the style fixes full
   /// scale, it is fitted to the first ping of a fan, for all of its pictures, or to all pings so far of a scan.
@@ -37,10 +38,12 @@ class PingPictures {
   PingPictures(PictureFolder& folder, const SonarConfig& sonar, const PictureStyle& style, PictureChoice choice,
                std::uint64_t total);
 
-  void add(const Ping& ping);
+  void add(std::size_t sonar, const Ping& ping) override;
 
-  /// Draws the pictures of the whole run, and that of the last ping added if a stopped run has left it out.
-  void finish(const Ping& last);
+  /// Draws the pictures of the whole run, and that of the last ping added if a stopped run has left it out. The folder
+  /// puts them in place.
+  void close() override;
+  [[nodiscard]] const std::filesystem::path& place() const override { return folder_->path(); }
 
   /// Files written so far, in order.
   [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return files_; }
@@ -50,10 +53,9 @@ class PingPictures {
 
  private:
   [[nodiscard]] Ping shown(const Ping& ping) const;
-  void add_shown(const Ping& ping);
-  void note_brightest(const Ping& ping);
-  void fit_scan();
-  void draw_fan_of(const Ping& ping);
+  void note_brightest();
+  void draw_fan_of_last();
+  void draw_scan(const std::string& name, bool polar);
   void write(const std::string& name, const Picture& picture);
 
   PictureFolder* folder_;
@@ -64,6 +66,7 @@ class PingPictures {
   PictureChoice choice_;
   std::uint64_t total_ = 0;
   std::unique_ptr<ScanView> scan_;  // Only for a scanning sonar.
+  Ping last_;                       // As it is drawn.
   bool last_drawn_ = true;
   double brightest_ = 0;                                      // Largest intensity drawn.
   double darkest_ = std::numeric_limits<double>::infinity();  // The least.

@@ -52,7 +52,6 @@ class RecordedRun {
     StoredTables tables;
   };
   void open(const RecordedRunOptions& options, LiveWorld& world, const Log& log);
-  void list_moments();
   void find_scene(const RecordedRunOptions& options, LiveWorld& world, const Log& log);
 
   std::vector<Track> tracks_;  // One per sonar.

@@ -2,21 +2,11 @@
 
 #pragma once
 
-#include <string>
-
-#include "replay/recorded_run.h"
-#include "serve/page_server.h"
+#include "console/command.h"
 
 namespace insonify {
 
-struct ReplayOptions {
-  RecordedRunOptions run;
-  PageServerOptions server;
-  double speed = 1;  ///< Seconds of the recording in a second.
-  bool paused = false;
-};
-
-/// @return  kDone. @throws InputError for wrong input, Error for a failure while running
-int replay(const ReplayOptions& options);
+/// Adds the command, which draws pictures unless it is asked for the viewer.
+void add_replay(const Command& program);
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// hints.cpp -- finds the largest echo of pings, and suggests why there is none or why it is weak.
+// hints.cpp -- compares recordings with the free space; finds the largest echo, and suggests why it is none or weak.
 
 #include "run/hints.h"
 
@@ -7,8 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <system_error>
 
-#include "insonify/scenario_requests.h"
+#include "console/console.h"
 
 namespace insonify {
 namespace {
@@ -38,6 +39,36 @@ std::string silenced_text(const SonarConfig& sonar) {
 }
 
 }  // namespace
+
+void report_disk_space(const Scenario& scenario, const ScenarioRequests& requests, const std::filesystem::path& folder,
+                       const RunOptions& options, const MessageOptions& messages) {
+  std::uint64_t needed = 0;
+  bool at_most = options.compress;
+  for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
+    const std::uint64_t pings = requests.ping_count(static_cast<int>(i));
+    for (const RecordingFormat* format : options.record) {
+      needed += format->bytes(scenario, scenario.sonars[i], pings, messages);
+      at_most = at_most || format->has_messages;
+    }
+  }
+  std::filesystem::path there = std::filesystem::absolute(folder);
+  std::error_code error;
+  while (!std::filesystem::exists(there, error) && there.has_relative_path()) {
+    there = there.parent_path();
+  }
+  const std::filesystem::space_info space = std::filesystem::space(there, error);
+  if (error) {
+    return;  // Some file systems do not report their free space.
+  }
+  const std::string text = fmt::format("the recordings need {}{}, {} are free", at_most ? "at most " : "",
+                                       bytes_text(needed), bytes_text(space.available));
+  if (needed > space.available) {
+    complain(fmt::format("warning: {}: {}; a full disk ends the run, which keeps the pings made so far",
+                         folder.string(), text));
+  } else if (!options.quiet) {
+    say("disk: {}\n", text);
+  }
+}
 
 void Loudness::add(const Ping& ping) {
   for (std::size_t i = 0; i < ping.intensity.size(); ++i) {

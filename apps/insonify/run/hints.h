@@ -1,11 +1,22 @@
-// hints.h -- hints for a run without echoes or with pictures that are nearly black.
+// hints.h -- hints before and after a run: a full disk, no echoes, pictures that are nearly black.
 
 #pragma once
 
+#include <filesystem>
+
 #include "insonify/ping.h"
+#include "insonify/scenario_requests.h"
 #include "insonify/simulator.h"
+#include "run/run.h"
 
 namespace insonify {
+
+/// Prints the size of a run's recordings and the free space, unless the run is quiet. Warns if the space is too small:
+/// the run ends when the disk is full, and keeps the pings made so far.
+/// @param messages  What MCAP recordings hold.
+/// @param folder  Folder of the recordings; need not exist yet.
+void report_disk_space(const Scenario& scenario, const ScenarioRequests& requests, const std::filesystem::path& folder,
+                       const RunOptions& options, const MessageOptions& messages);
 
 /// Largest echo of one sonar's pings.
 class Loudness {

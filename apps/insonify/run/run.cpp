@@ -6,16 +6,13 @@
 #include <chrono>
 
 #include "console/console.h"
-#include "console/log_to_user.h"
 #include "console/outcome.h"
 #include "console/stop.h"
 #include "insonify/files.h"
 #include "insonify/scenario_requests.h"
 #include "insonify/simulator.h"
-#include "pictures/earlier_run.h"
 #include "pictures/output_folder.h"
 #include "pictures/pictures.h"
-#include "run/disk_space.h"
 #include "run/hints.h"
 #include "run/ping_schedule.h"
 #include "run/progress.h"
@@ -104,19 +101,6 @@ void print_oddities(Simulator& simulator, const ScenarioRequests& requests, bool
   }
 }
 
-// Records and draws a ping that has been made.
-void add_ping(const Simulator& simulator, const PingOrder& order, Track& track, Progress& progress) {
-  std::swap(track.ping, *order.ping);
-  track.recordings.add(track.ping);
-  track.pictures.add(track.ping);
-  track.loudness.add(track.ping);
-  if (track.made == 0) {
-    track.first_ping = first_ping_text(simulator.scene(), simulator.sonar(order.sonar), track.ping);
-  }
-  ++track.made;
-  progress.advance();
-}
-
 // Computes a batch. False if a ping of several cannot be made: which one, each of them made alone will show.
 bool make_batch(Simulator& simulator, std::span<const PingOrder> orders) {
   try {
@@ -147,7 +131,12 @@ double make_pings(Simulator& simulator, const ScenarioRequests& requests, std::v
         if (!made) {
           simulator.ping({&order, 1});
         }
-        add_ping(simulator, order, tracks[static_cast<std::size_t>(order.sonar)], progress);
+        Track& track = tracks[static_cast<std::size_t>(order.sonar)];
+        if (track.made == 0) {
+          track.first_ping = first_ping_text(simulator.scene(), simulator.sonar(order.sonar), *order.ping);
+        }
+        track.add(*order.ping);
+        progress.advance();
       }
     }
   } catch (const Interrupted&) {
@@ -175,10 +164,10 @@ void print_hints(const Simulator& simulator, const std::vector<Track>& tracks, c
     if (tracks[i].made > 0 && !loudness.has_echo() && !receives_more_than_surfaces(simulator.scenario())) {
       complain("warning: " + silence_text(simulator, sonar));
     } else if (simulator.scenario().model == EchoModel::kPaper && loudness.dim() && display.scale == Scale::kLinear &&
-               !tracks[i].pictures.files().empty() && !quiet) {
+               !tracks[i].pictures->files().empty() && !quiet) {
       say("hint: {}\n", dimness_text(loudness, simulator.sonar(sonar)));
     }
-    if (const std::string text = tracks[i].pictures.darkness_text(); !text.empty()) {
+    if (const std::string text = tracks[i].pictures->darkness_text(); !text.empty()) {
       complain("warning: " + text);
     }
   }
@@ -216,8 +205,8 @@ int run(const RunOptions& options) {
   note_when_asked();
   simulator.stop_when(&stop_asked());
   PictureFolder pictures(folder, names_of(simulator.scenario().sonars));
-  std::vector<Track> tracks = start_tracks(simulator, requests, folder, options.pictures, choice, pictures,
-                                           options.record, record_options(options, style));
+  std::vector<Track> tracks =
+      start_tracks(simulator, requests, options, choice, pictures, record_options(options, style));
   const std::vector<std::filesystem::path> view_files = write_views(views, pictures);
 
   const double computing = make_pings_or_explain(simulator, requests, tracks, pictures, options.quiet);

@@ -6,10 +6,20 @@
 #include <string>
 #include <vector>
 
-#include "pictures/message_choice.h"
-#include "run/recordings.h"
+#include "console/command.h"
+#include "insonify/recording_formats.h"
+#include "pictures/picture_options.h"
 
 namespace insonify {
+
+/// Formats that a run records in, in the order of recording_formats().
+using RecordKinds = std::vector<const RecordingFormat*>;
+
+/// @param text  Names of formats with commas between: "h5,mcap".
+[[nodiscard]] RecordKinds record_kinds(const std::string& text);
+
+/// Endings of the files, with their dots.
+[[nodiscard]] std::vector<std::string> endings_of(const RecordKinds& kinds);
 
 struct RunOptions {
   std::filesystem::path scenario;
@@ -29,5 +39,8 @@ struct RunOptions {
 
 /// @return  kDone. @throws InputError for wrong input, Error for a failure while running
 int run(const RunOptions& options);
+
+/// Adds the command.
+void add_run(const Command& program);
 
 }  // namespace insonify

@@ -1,3 +1,5 @@
+// tracks.cpp -- passes each ping to everything that is written of its sonar, and puts that in place at the end.
+
 #include "run/tracks.h"
 
 #include <algorithm>
@@ -15,18 +17,38 @@ PictureStyle track_style(const PictureOptions& options, const Scenario& scenario
   return picture_style(own, scenario.model, scenario.receiver_of(sonar), sonar);
 }
 
-std::vector<Track> start_tracks(const Simulator& simulator, const ScenarioRequests& requests,
-                                const std::filesystem::path& folder, const PictureOptions& options,
-                                const PictureChoice& choice, PictureFolder& pictures, const RecordKinds& kinds,
-                                const RecordOptions& recording) {
+void Track::add(const Ping& ping) {
+  for (const auto& sink : sinks) {
+    sink->add(0, ping);
+  }
+  loudness.add(ping);
+  ++made;
+}
+
+std::vector<std::filesystem::path> Track::places() const {
+  std::vector<std::filesystem::path> places;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    places.push_back(sinks[i]->place());
+  }
+  return places;
+}
+
+std::vector<Track> start_tracks(const Simulator& simulator, const ScenarioRequests& requests, const RunOptions& options,
+                                const PictureChoice& choice, PictureFolder& pictures, const RecordOptions& recording) {
   const Scenario& scenario = simulator.scenario();
-  std::vector<Track> tracks;
-  for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
-    const SonarConfig& sonar = simulator.sonar(static_cast<int>(i));
-    const std::uint64_t pings = requests.ping_count(static_cast<int>(i));
-    const PictureStyle style = track_style(options, scenario, sonar);
-    tracks.push_back({SonarRecordings(folder, simulator, static_cast<int>(i), kinds, recording),
-                      PingPictures(pictures, sonar, style, choice, pings)});
+  std::vector<Track> tracks(scenario.sonars.size());
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    const int index = static_cast<int>(i);
+    const SonarConfig& sonar = simulator.sonar(index);
+    Track& track = tracks[i];
+    for (const RecordingFormat* format : options.record) {
+      track.files.push_back(pictures.path() / (sonar.name + format->ending()));
+      track.sinks.push_back(format->open(track.files.back(), {scenario, simulator.scene(), {&sonar, 1}}, recording));
+    }
+    auto drawn = std::make_unique<PingPictures>(pictures, sonar, track_style(options.pictures, scenario, sonar), choice,
+                                                requests.ping_count(index));
+    track.pictures = drawn.get();
+    track.sinks.push_back(std::move(drawn));
   }
   return tracks;
 }
@@ -36,9 +58,8 @@ bool discard_without_pings(std::vector<Track>& tracks, PictureFolder& pictures) 
     return false;
   }
   std::vector<std::filesystem::path> files;
-  files.reserve(tracks.size());
   for (const Track& track : tracks) {
-    const std::vector<std::filesystem::path> places = track.recordings.places();
+    const std::vector<std::filesystem::path> places = track.places();
     files.insert(files.end(), places.begin(), places.end());
   }
   tracks.clear();
@@ -53,11 +74,10 @@ bool discard_without_pings(std::vector<Track>& tracks, PictureFolder& pictures) 
 std::string kept_beside(const std::vector<Track>& tracks) {
   std::string text;
   for (const Track& track : tracks) {
-    const std::vector<std::filesystem::path> places = track.recordings.places();
+    const std::vector<std::filesystem::path> places = track.places();
     for (std::size_t i = 0; i < places.size() && track.made > 0; ++i) {
-      const std::filesystem::path& file = track.recordings.files()[i];
-      if (places[i] != file) {
-        text += fmt::format("; {} is still that of the earlier run, {} of this one {} in {}", file.string(),
+      if (places[i] != track.files[i]) {
+        text += fmt::format("; {} is still that of the earlier run, {} of this one {} in {}", track.files[i].string(),
                             counted(track.made, "ping"), track.made == 1 ? "is" : "are", places[i].string());
       }
     }
@@ -71,10 +91,9 @@ bool finish_tracks(std::vector<Track>& tracks, PictureFolder& pictures, bool qui
   }
   bool replaced = false;
   for (Track& track : tracks) {
-    replaced = replaced || track.recordings.places() != track.recordings.files();
-    track.recordings.close();
-    if (track.made > 0) {
-      track.pictures.finish(track.ping);
+    replaced = replaced || track.places() != track.files;
+    for (const auto& sink : track.sinks) {
+      sink->close();
     }
   }
   if (const std::size_t removed = pictures.put_in_place(); removed > 0 && !quiet) {
@@ -95,11 +114,11 @@ void print_track(const Track& track, const SonarConfig& sonar) {
       counted(static_cast<std::uint64_t>(sonar.beam_count), "beam"),
       counted(static_cast<std::uint64_t>(sonar.bin_count), "bin"), sonar.max_range,
       track.first_ping.empty() ? "" : "; ", track.first_ping);
-  for (const std::filesystem::path& file : track.recordings.files()) {
+  for (const std::filesystem::path& file : track.files) {
     say("  {}\n", file.string());
   }
-  if (!track.pictures.files().empty()) {
-    say("  {}\n", listed(track.pictures.files()));
+  if (!track.pictures->files().empty()) {
+    say("  {}\n", listed(track.pictures->files()));
   }
 }
 

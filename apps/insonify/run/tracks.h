@@ -1,28 +1,34 @@
-// tracks.h -- state of each sonar in a run: recording, pictures, and final messages.
+// tracks.h -- state of each sonar in a run: its recordings and pictures, and final messages.
 
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "insonify/files.h"
 #include "insonify/scenario_requests.h"
 #include "insonify/simulator.h"
 #include "pictures/pictures.h"
 #include "run/hints.h"
-#include "run/recordings.h"
+#include "run/run.h"
 
 namespace insonify {
 
-/// State of one sonar in a run.
+/// One sonar in a run, and everything that is written of it.
 struct Track {
-  SonarRecordings recordings;
-  PingPictures pictures;
-  Ping ping = {};          ///< The last recorded ping.
-  std::uint64_t made = 0;  ///< Pings so far.
+  /// What takes the pings: a recording in each format that was asked for, DIR/NAME.h5, DIR/NAME.mcap, then pictures.
+  std::vector<std::unique_ptr<PingSink>> sinks = {};
+  std::vector<std::filesystem::path> files = {};  ///< Names that the recordings have in the end.
+  PingPictures* pictures = nullptr;               ///< The last sink.
+  std::uint64_t made = 0;                         ///< Pings so far.
   Loudness loudness = {};
   std::string first_ping = {};  ///< Text about the first ping: see first_ping_text().
+
+  void add(const Ping& ping);
+
+  /// Names that the recordings have now.
+  [[nodiscard]] std::vector<std::filesystem::path> places() const;
 };
 
 /// Style of one sonar's pictures. With options.counts, a sonar that has no counts beside others that have some shows
@@ -31,11 +37,10 @@ struct Track {
 [[nodiscard]] PictureStyle track_style(const PictureOptions& options, const Scenario& scenario,
                                        const SonarConfig& sonar);
 
-/// Starts the recording and the pictures of each sonar.
+/// Starts the recordings and the pictures of each sonar.
 [[nodiscard]] std::vector<Track> start_tracks(const Simulator& simulator, const ScenarioRequests& requests,
-                                              const std::filesystem::path& folder, const PictureOptions& options,
-                                              const PictureChoice& choice, PictureFolder& pictures,
-                                              const RecordKinds& kinds, const RecordOptions& recording);
+                                              const RunOptions& options, const PictureChoice& choice,
+                                              PictureFolder& pictures, const RecordOptions& recording);
 
 /// Removes recordings and pictures of this run if it made no ping: they would only block the next run.
 /// @return  Whether it made no ping.

@@ -8,7 +8,7 @@
 #include "insonify/picture.h"
 #include "insonify/scenario_requests.h"
 #include "insonify/simulator.h"
-#include "pictures/earlier_run.h"
+#include "pictures/output_folder.h"
 #include "run/run.h"
 
 namespace insonify {

@@ -9,8 +9,6 @@
 #include <iterator>
 #include <set>
 
-#include "run/solids_met.h"
-
 namespace insonify {
 namespace {
 
@@ -50,6 +48,38 @@ std::string size_oddity(const Box3& world, const SonarConfig& sonar) {
         across / sonar.bin_length(), sonar.name);
   }
   return "";
+}
+
+// Numbers of pings from the first to the last.
+std::vector<std::uint64_t> spread_pings(std::uint64_t pings, std::uint64_t most) {
+  const std::uint64_t count = std::min(pings, most);
+  std::vector<std::uint64_t> numbers;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    numbers.push_back(count > 1 ? i * (pings - 1) / (count - 1) : 0);
+  }
+  return numbers;
+}
+
+// A line for each object that the sonar is inside of at some pings: the first, the last and evenly spread ones between
+// them, 32 in all, fewer in a world of many triangles. All objects are placed as at that time.
+std::vector<std::string> solids_met(Simulator& simulator, const ScenarioRequests& requests, int sonar) {
+  constexpr std::uint64_t kMostPings = 32, kMostTriangles = 2'000'000;  // Together about 0.2 s.
+  const std::uint64_t most =
+      std::clamp<std::uint64_t>(kMostTriangles / (simulator.scene().triangle_count() + 1), 2, kMostPings);
+  std::set<int> met;
+  std::vector<std::string> texts;
+  for (const std::uint64_t ping : spread_pings(requests.ping_count(sonar), most)) {
+    const PingRequest request = requests.at(sonar, ping);
+    const Scene scene = simulator.scene_at(request);
+    for (const int inside : scene.solids_around(simulator.world_from_head(sonar, request).position)) {
+      if (met.insert(inside).second) {
+        texts.push_back(fmt::format("{} {} inside of {}, and receives its inner surface", simulator.sonar(sonar).name,
+                                    ping == 0 ? "begins" : fmt::format("is at ping {}", ping),
+                                    scene.instances[inside].name));
+      }
+    }
+  }
+  return texts;
 }
 
 // Without a trajectory the vehicle stands still, and so do its sonars while they listen.

@@ -6,11 +6,13 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "insonify/error.h"
 #include "insonify/printable.h"
+#include "insonify/version.h"
 
 namespace insonify {
 namespace {
@@ -39,7 +41,42 @@ const nlohmann::json& list_of(const nlohmann::json& message, const char* key) {
   return *found;
 }
 
+std::string foxglove_text(const nlohmann::json& json) {
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+// Name and session of this server, for a new client.
+std::string server_info_text() {
+  return foxglove_text({{"op", "serverInfo"},
+                        {"name", fmt::format("insonify {}", kVersion)},
+                        {"capabilities", nlohmann::json::array()},
+                        {"supportedEncodings", nlohmann::json::array()},
+                        {"metadata", nlohmann::json::object()},
+                        {"sessionId", fmt::format("{}", std::chrono::system_clock::now().time_since_epoch().count())}});
+}
+
+std::string status_text(FoxgloveStatus level, const std::string& text) {
+  return foxglove_text({{"op", "status"}, {"level", static_cast<int>(level)}, {"message", text}});
+}
+
 }  // namespace
+
+std::string advertise_text(std::span<const FoxgloveChannel> channels) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const FoxgloveChannel& channel : channels) {
+    list.push_back({{"id", channel.id},
+                    {"topic", channel.is.topic},
+                    {"encoding", "cdr"},
+                    {"schemaName", channel.is.type},
+                    {"schemaEncoding", "ros2msg"},
+                    {"schema", channel.is.definition}});
+  }
+  return foxglove_text({{"op", "advertise"}, {"channels", list}});
+}
+
+std::string unadvertise_text(const std::vector<std::uint32_t>& ids) {
+  return foxglove_text({{"op", "unadvertise"}, {"channelIds", ids}});
+}
 
 FoxgloveClient::FoxgloveClient(Connection& connection, FoxgloveFeed& feed) : connection_(connection), feed_(feed) {
   feed_.clients_.insert(this);

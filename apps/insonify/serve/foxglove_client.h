@@ -3,6 +3,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <span>
 
 #include "serve/foxglove_feed.h"
 
@@ -47,5 +48,9 @@ class FoxgloveClient : public Client {
   FoxgloveFeed& feed_;
   std::map<std::uint32_t, Subscription> subscriptions_;  // By the client's number.
 };
+
+/// JSON messages about channels.
+[[nodiscard]] std::string advertise_text(std::span<const FoxgloveChannel> channels);
+[[nodiscard]] std::string unadvertise_text(const std::vector<std::uint32_t>& ids);
 
 }  // namespace insonify

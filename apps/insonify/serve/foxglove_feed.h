@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -9,7 +10,6 @@
 #include <vector>
 
 #include "serve/foxglove_encoder.h"
-#include "serve/foxglove_texts.h"
 #include "serve/hub.h"
 
 namespace insonify {
@@ -17,6 +17,16 @@ namespace insonify {
 /// Subprotocols of current clients, and of those until 2025.
 inline constexpr std::string_view kFoxgloveSdkProtocol = "foxglove.sdk.v1";
 inline constexpr std::string_view kFoxgloveProtocol = "foxglove.websocket.v1";
+
+/// An advertised channel, of one sonar or of all sonars that share a topic.
+struct FoxgloveChannel {
+  std::uint32_t id = 0;
+  MessageChannel is;
+  std::map<int, std::size_t> sources;  ///< Index into SonarMessages::channels(), by sonar.
+};
+
+/// Levels of a status message.
+enum class FoxgloveStatus { kInfo = 0, kWarning = 1 };
 
 class FoxgloveClient;
 

@@ -7,9 +7,26 @@
 #include <algorithm>
 
 #include "console/console.h"
-#include "serve/recordings.h"
 
 namespace insonify {
+namespace {
+
+// One line with pings, size, names and folder.
+std::string recorded_text(const LiveRecording& recording) {
+  std::string names;
+  for (const std::filesystem::path& file : recording.files) {
+    names += (names.empty() ? "" : ", ") + file.filename().string();
+  }
+  if (recording.pings == 0) {
+    return fmt::format("no ping was recorded, and no file kept as {}", names);
+  }
+  const std::filesystem::path folder = std::filesystem::absolute(recording.files.front()).parent_path();
+  return fmt::format("recorded {} {}, {}: {}, with {}, in {}", recording.pings, recording.pings == 1 ? "ping" : "pings",
+                     bytes_text(recording.bytes), names, recording.scenario.filename().string(),
+                     folder.lexically_normal().string());
+}
+
+}  // namespace
 
 const Bytes& SharedPing::frame(unsigned tables) {
   Bytes& frame = frames_[tables];

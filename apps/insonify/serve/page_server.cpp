@@ -1,9 +1,17 @@
-// page_server.cpp -- checks access options, and shuts down in the right order.
+// page_server.cpp -- checks access options, prints the addresses, and shuts down in the right order.
 
 #include "serve/page_server.h"
 
+#include <arpa/inet.h>
 #include <fmt/format.h>
+#include <ifaddrs.h>
+#include <net/if.h>
+#include <netdb.h>
+#include <netinet/in.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 
 #include "console/console.h"
@@ -11,12 +19,58 @@
 #include "insonify/printable.h"
 #include "serve/foxglove_feed.h"
 #include "serve/hub.h"
-#include "serve/net/own_addresses.h"
 #include "serve/page_files.h"
 #include "serve/viewer_client.h"
 
 namespace insonify {
 namespace {
+
+bool is_link_local(const sockaddr& address) {
+  if (address.sa_family == AF_INET) {
+    constexpr in_addr_t kMask = 0xffff0000, kLinkLocal = 0xa9fe0000;  // 169.254.0.0/16, RFC 3927.
+    return (ntohl(reinterpret_cast<const sockaddr_in&>(address).sin_addr.s_addr) & kMask) == kLinkLocal;
+  }
+  return IN6_IS_ADDR_LINKLOCAL(&reinterpret_cast<const sockaddr_in6&>(address).sin6_addr);
+}
+
+std::vector<std::string> addresses_of(const ifaddrs* interfaces, int family, socklen_t size) {
+  std::vector<std::string> found;
+  for (const ifaddrs* one = interfaces; one != nullptr; one = one->ifa_next) {
+    const bool serves = (one->ifa_flags & IFF_UP) != 0 && (one->ifa_flags & IFF_LOOPBACK) == 0;
+    if (!serves || one->ifa_addr == nullptr || one->ifa_addr->sa_family != family || is_link_local(*one->ifa_addr)) {
+      continue;
+    }
+    std::array<char, NI_MAXHOST> text{};
+    if (getnameinfo(one->ifa_addr, size, text.data(), text.size(), nullptr, 0, NI_NUMERICHOST) == 0) {
+      found.emplace_back(text.data());
+    }
+  }
+  return found;
+}
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  return gethostname(name.data(), name.size() - 1) == 0 && name[0] != '\0' ? name.data() : "localhost";
+}
+
+// Numeric addresses of the active network interfaces except loopback and link-local ones: IPv4, then IPv6 if requested.
+// The name of this machine if there are none.
+std::vector<std::string> own_addresses(bool with_ipv6) {
+  std::vector<std::string> found;
+  ifaddrs* interfaces = nullptr;
+  if (getifaddrs(&interfaces) == 0) {
+    found = addresses_of(interfaces, AF_INET, sizeof(sockaddr_in));
+    if (with_ipv6) {
+      const std::vector<std::string> more = addresses_of(interfaces, AF_INET6, sizeof(sockaddr_in6));
+      found.insert(found.end(), more.begin(), more.end());
+    }
+    freeifaddrs(interfaces);
+  }
+  if (found.empty()) {
+    found.push_back(host_name());
+  }
+  return found;
+}
 
 // The query that a browser needs.
 std::string url_of(const PageServerOptions& options, const std::string& host, std::uint16_t port) {
@@ -70,6 +124,17 @@ class SourceEnd {
 };
 
 }  // namespace
+
+void add_server_options(const Command& command, PageServerOptions& options) {
+  command.option("--port", "N", &options.port, "Port; 0: any free port [8765]", whole_number(0, 65535));
+  command.option("--address", "IP", &options.address,
+                 "Address to listen on; others than loopback need --token [127.0.0.1]");
+  command.option("--token", "T", &options.token, "Secret that every connection must send", not_empty("a secret"));
+  command.option("--allow-origin", "ORIGIN", &options.origins,
+                 "Web page of another origin that may connect; may be repeated");
+  command.flag("-q,--quiet", &options.quiet, "Print only the address, warnings and errors");
+  command.under("").option("--page", "DIR", &options.page, "Serve the page from this folder");
+}
 
 PageServer::PageServer(const PageServerOptions& options) : options_(options) {
   check(options);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "console/command.h"
 #include "insonify/messages.h"
 #include "serve/ping_source.h"
 
@@ -26,6 +27,9 @@ struct PageServerOptions {
   MessageOptions messages;           ///< For Foxglove's messages.
   std::filesystem::path page;        ///< Folder to serve the page from; empty: the embedded page.
 };
+
+/// Adds the options of a server.
+void add_server_options(const Command& command, PageServerOptions& options);
 
 class PageServer {
  public:

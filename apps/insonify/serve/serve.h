@@ -2,27 +2,11 @@
 
 #pragma once
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
-#include "serve/page_server.h"
+#include "console/command.h"
 
 namespace insonify {
 
-struct ServeOptions {
-  std::filesystem::path scenario;
-  PageServerOptions server;
-  std::filesystem::path recording;    ///< Recorded from the start; empty: none.
-  bool force = false;                 ///< Whether its files may replace existing ones.
-  std::string levels;                 ///< MessageOptions::low_db and high_db, "-90:-40"; "": default.
-  double rate = 0;                    ///< Limit of pings per second of each sonar; 0: no limit.
-  int threads = 0;                    ///< 0: one per processor.
-  std::vector<std::string> settings;  ///< "key=value", in order.
-  bool paused = false;
-};
-
-/// @return  kDone. @throws InputError for wrong input, Error for a failure while running
-int serve(const ServeOptions& options);
+/// Adds the command.
+void add_serve(const Command& program);
 
 }  // namespace insonify

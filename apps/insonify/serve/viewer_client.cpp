@@ -4,12 +4,10 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "insonify/error.h"
 #include "insonify/printable.h"
 #include "insonify/recording_formats.h"
-#include "serve/message_members.h"
+#include "serve/json_messages.h"
 
 namespace insonify {
 namespace {

@@ -12,7 +12,7 @@
 #include <unordered_map>
 
 #include "insonify/words.h"
-#include "serve/json_text.h"
+#include "serve/json_messages.h"
 
 namespace insonify {
 namespace {
@@ -80,29 +80,30 @@ constexpr std::array<TableName, 6> kTables = {{{kLevelTable, "level", "uint16"},
                                                {kShadowTable, "shadow", "uint8"},
                                                {kMultipathTable, "multipath", "uint8"}}};
 
-template <typename Result, typename Source, typename Function>
-void append_converted(std::string& bytes, const std::vector<Source>& values, Function&& function) {
+template <auto kConvert, typename Source>
+void append_converted(std::string& bytes, const std::vector<Source>& values) {
+  using Result = decltype(kConvert(values.front()));
   std::vector<Result> converted(values.size());
-  std::transform(values.begin(), values.end(), converted.begin(), function);
+  std::transform(values.begin(), values.end(), converted.begin(), [](Source value) { return kConvert(value); });
   append(bytes, std::span<const Result>(converted));
 }
 
 void append_table(std::string& bytes, const Ping& ping, unsigned table) {
   switch (table) {
     case kLevelTable:
-      append_converted<std::uint16_t>(bytes, ping.intensity, level_of);
+      append_converted<level_of>(bytes, ping.intensity);
       break;
     case kInstanceTable:
-      append_converted<std::int32_t>(bytes, ping.instance, label_of);
+      append_converted<label_of>(bytes, ping.instance);
       break;
     case kMaterialTable:
-      append_converted<std::int32_t>(bytes, ping.material, label_of);
+      append_converted<label_of>(bytes, ping.material);
       break;
     case kElevationTable:
       append(bytes, std::span<const float>(ping.elevation));
       break;
     case kShadowTable:
-      append_converted<std::uint8_t>(bytes, ping.shadow, share_of);
+      append_converted<share_of>(bytes, ping.shadow);
       break;
     default:
       append(bytes, std::span<const std::uint8_t>(ping.path_order));

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "shell/command_words.h"
+#include "console/command.h"
 
 namespace insonify {
 
@@ -16,5 +16,9 @@ namespace insonify {
 
 /// The manual page insonify(1).
 [[nodiscard]] std::string manual_page(const std::vector<CommandWords>& commands);
+
+/// insonify completion, and insonify manual.
+void add_completion(const Command& program);
+void add_manual(const Command& program);
 
 }  // namespace insonify

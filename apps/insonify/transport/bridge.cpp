@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <string_view>
 #include <utility>
 
 #include "console/console.h"
@@ -16,6 +17,18 @@ double unix_time() {
   return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
+std::vector<std::string> lines_of(std::string_view text) {
+  std::vector<std::string> lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    if (end > 0) {
+      lines.emplace_back(text.substr(0, end));
+    }
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return lines;
+}
+
 // A Unix time by the report's clock.
 WallClock::time_point wall_time(double unix) {
   return WallClock::now() -
@@ -26,19 +39,10 @@ WallClock::time_point wall_time(double unix) {
 
 Bridge::Bridge(const BridgeOptions& options, Transport& transport, MessageForm form)
     : options_(options), transport_(transport), form_(form) {
-  const Log log = [quiet = options.quiet](Severity severity, const std::string& message) {
-    if (severity == Severity::kWarning) {
-      complain("warning: " + message);
-    } else if (!quiet) {
-      say("{}\n", message);
-    }
-  };
-  try {
+  checked_input([&] {
     options_.messages.validate();
-    loop_ = std::make_unique<LiveLoop>(options.scenario, options.settings, options.live, log);
-  } catch (const Error& error) {
-    throw InputError(error.what());
-  }
+    loop_ = std::make_unique<LiveLoop>(options.scenario, options.settings, options.live, log_to_user(options.quiet));
+  });
 }
 
 Bridge::~Bridge() {
@@ -195,6 +199,20 @@ void Bridge::send(const LivePing& live) {
     }
   }
   report_.note(wall_time(new_pose ? live.received_at : transmitted), live.computing_time);
+}
+
+void request_settings(LiveLoop& loop, const std::string& text, std::function<void(const std::string&)> answer) {
+  std::vector<std::string> settings = lines_of(text);
+  if (settings.empty()) {
+    answer("refused: a message holds settings, one a line, such as max_range=20");
+    return;
+  }
+  loop.set(std::move(settings), [answer = std::move(answer), text](const std::string& error) {
+    if (!error.empty()) {
+      complain(error);
+    }
+    answer(error.empty() ? fmt::format("done: {}", text) : fmt::format("refused: {}", error));
+  });
 }
 
 }  // namespace insonify

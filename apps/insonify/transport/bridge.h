@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -95,5 +96,11 @@ class Bridge : private LiveListener {
   bool sent_scenario_ = false;
   std::string last_problem_;
 };
+
+/// Passes settings, such as max_range=20, from another program to a loop.
+/// @param text    One setting per line; empty lines are ignored.
+/// @param answer  Called once, in one of the loop's threads or in this one, with "done: " and the text, or "refused: "
+///                and the reason, which is also printed.
+void request_settings(LiveLoop& loop, const std::string& text, std::function<void(const std::string&)> answer);
 
 }  // namespace insonify

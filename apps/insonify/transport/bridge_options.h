@@ -3,17 +3,14 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "console/command.h"
 #include "insonify/live_loop.h"
 #include "insonify/messages.h"
-#include "transport/dds_options.h"
-
-namespace CLI {  // NOLINT(readability-identifier-naming)
-class App;
-}
 
 namespace insonify {
 
@@ -24,6 +21,15 @@ struct BridgeOptions {
   LiveOptions live = {};
   MessageOptions messages = {};
   bool quiet = false;  ///< Print nothing but warnings and errors.
+};
+
+/// Options for a bridge's participation in DDS.
+struct DdsOptions {
+  std::optional<int> domain = {};           ///< 0..232; absent: ROS_DOMAIN_ID, or else 0.
+  bool local = false;                       ///< Whether to use only this machine.
+  std::vector<std::string> peers = {};      ///< Addresses of machines not reached by multicast.
+  bool best_effort = false;                 ///< Do not resend lost messages.
+  std::string set_topic = "/insonify/set";  ///< Topic of settings.
 };
 
 /// The command line of one bridge. Each bridge uses some of the options after `bridge`.
@@ -44,7 +50,7 @@ struct BridgeKind {
   const char* packages;  ///< Debian packages needed to build it, beyond insonify's own.
   const char* footer;    ///< Last lines of its help.
   bool ros1_words;       ///< Whether arguments such as `name:=value` are passed to ROS 1.
-  void (*add_options)(CLI::App& command, BridgeRequest& request);
+  void (*add_options)(const Command& command, BridgeRequest& request);
 };
 
 /// All bridges, built or not.
@@ -54,10 +60,10 @@ struct BridgeKind {
 [[nodiscard]] const BridgeKind& bridge_kind(std::string_view name);
 
 /// Adds SCENARIO, the common options and those of this bridge. The request must outlive the command.
-void add_bridge_options(CLI::App& command, const BridgeKind& kind, BridgeRequest& request);
+void add_bridge_options(const Command& command, const BridgeKind& kind, BridgeRequest& request);
 
 /// Checks the remaining arguments of a command line: only those for ROS 1 may be there.
 /// @throws InputError for any other.
-void check_other_words(const CLI::App& command, const BridgeKind& kind);
+void check_other_words(const Command& command, const BridgeKind& kind);
 
 }  // namespace insonify

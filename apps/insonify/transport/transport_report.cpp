@@ -5,6 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <thread>
+
+#include "console/console.h"
 
 namespace insonify {
 namespace {
@@ -56,6 +59,17 @@ std::string TransportReport::text() const {
     text += fmt::format("; {} pings dropped, for they were not sent in time", drops_);
   }
   return text;
+}
+
+void report_until_stopped(const TransportReport& report, const std::atomic<bool>& ended) {
+  constexpr std::chrono::milliseconds kInterval{50};
+  while (!stop_asked() && !ended) {
+    std::this_thread::sleep_for(kInterval);
+    if (report_asked()) {
+      say("{}\n", report.text());
+      flush_output();
+    }
+  }
 }
 
 }  // namespace insonify

@@ -2,10 +2,13 @@
 
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <mutex>
 #include <string>
+
+#include "console/stop.h"
 
 namespace insonify {
 
@@ -37,5 +40,8 @@ class TransportReport {
   std::uint64_t pings_ = 0, refusals_ = 0, drops_ = 0;
   double latency_ = 0, longest_ = 0, computing_ = 0;  // Sums and maximum [s].
 };
+
+/// Waits for SIGINT, SIGTERM or `ended`, and prints the report at SIGUSR1. After note_when_asked().
+void report_until_stopped(const TransportReport& report, const std::atomic<bool>& ended = stop_asked());
 
 }  // namespace insonify

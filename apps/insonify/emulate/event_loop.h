@@ -1,9 +1,8 @@
-// event_loop.h -- the event loop of bridges and emulated instruments.
+// event_loop.h -- the event loop of emulated instruments.
 
 #pragma once
 
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
 
 #include "transport/transport_report.h"
@@ -13,7 +12,7 @@ namespace insonify {
 class EventLoop {
  public:
   /// @param report  Printed at SIGUSR1; must live as long as the loop.
-  explicit EventLoop(const TransportReport& report);
+  explicit EventLoop(const TransportReport& report) : report_(report) {}
 
   [[nodiscard]] boost::asio::io_context& context() { return context_; }
 
@@ -21,13 +20,11 @@ class EventLoop {
   void run();
 
  private:
-  void watch_stop();
-  void watch_report();
+  void watch_signals();
 
   const TransportReport& report_;
   boost::asio::io_context context_{1};
-  boost::asio::steady_timer stop_timer_{context_};
-  boost::asio::signal_set report_signal_{context_};
+  boost::asio::steady_timer timer_{context_};
 };
 
 }  // namespace insonify

@@ -1,6 +1,6 @@
-// message_members.cpp -- reads members of messages and checks their types.
+// json_messages.cpp -- reads members of messages and checks their types.
 
-#include "serve/message_members.h"
+#include "serve/json_messages.h"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,119 @@
+// bench_command.cpp -- options of `insonify bench`.
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <optional>
+
+#include "benchmark/bench.h"
+
+namespace insonify {
+namespace {
+
+constexpr const char* kJson = "Write the rows to this file too";
+
+// Adds a benchmark of scenes of growing size.
+// @param threads  Whether it can be timed with several numbers of threads.
+void add_bench_of_scenes(const Command& bench, const char* name, const char* help, const char* example, bool threads,
+                         int (*run)(const BenchOptions&)) {
+  const Command command = bench.add(name, help);
+  auto& options = command.keep<BenchOptions>();
+  command.option("--triangles", "N ...", &options.triangles,
+                 "About how many triangles each scene has [1000 100000 1000000]", whole_number(1, 100'000'000));
+  command.option("--repetitions", "N", &options.repetitions, "Timed pings of each row [40]",
+                 whole_number(1, 1'000'000));
+  command.option("--json", "FILE", &options.json, kJson);
+  if (threads) {
+    command.option("--threads", "N ...", &options.threads, "Worker threads [1 2]", whole_number(1, 1024));
+  }
+  command.footer(fmt::format("Example:\n  insonify bench {} {}", name, example));
+  command.act([&options, run] { return run(options); });
+}
+
+void add_paper_bench(const Command& bench) {
+  const Command command = bench.add("paper", "The paper's tables of computing times, on its workload");
+  auto& options = command.keep<PaperBenchOptions>();
+  auto& scene = command.keep<std::string>();
+  command.option("--samples", "N", &options.samples, "Scenes of each row [500]", whole_number(1, 1'000'000));
+  command.option("--scene", "NAME", &scene, "random, or filled: one that fills the fan [random]",
+                 one_of({"random", "filled"}));
+  command.option("--threads", "N", &options.threads, "Worker threads [2]", whole_number(1, 1024));
+  command.option("--json", "FILE", &options.json, kJson);
+  command.option("--markdown", "FILE", &options.markdown, "Write them as a table to this file too");
+  command.footer("Example:\n  insonify bench paper --samples 50 --json rows.json");
+  command.act([&options, &scene] {
+    options.filled = scene == "filled";
+    return bench_paper(options);
+  });
+}
+
+// "4x200" as columns per beam and rows; none if it is not of that form or out of their limits.
+std::optional<Sampling> sampling_from(const std::string& text) {
+  int columns = 0, rows = 0;
+  const char* const end = text.data() + text.size();
+  const auto [cross, no_columns] = std::from_chars(text.data(), end, columns);
+  if (no_columns != std::errc() || cross == end || *cross != 'x') {
+    return {};
+  }
+  const auto [rest, no_rows] = std::from_chars(cross + 1, end, rows);
+  const bool good = no_rows == std::errc() && rest == end;
+  return good && columns >= 1 && columns <= 256 && rows >= 2 && rows <= 8192 ? std::optional(Sampling{columns, rows})
+                                                                             : std::nullopt;
+}
+
+void add_sampling_bench(const Command& bench) {
+  const Command command = bench.add("sampling", "The error of a ping's finite sampling against its computing time");
+  auto& options = command.keep<SamplingBenchOptions>();
+  auto& samplings = command.keep<std::vector<std::string>>();
+  const Check a_sampling = {[](const std::string& text) {
+    return sampling_from(text)
+               ? std::string()
+               : text + " must be columns per beam, from 1 to 256, and rows, from 2 to 8192, such as 4x200";
+  }};
+  command.option("SCENARIO", "FILE ...", &options.scenarios,
+                 "Scenarios of the calibrated model, besides the benchmarks' scenes");
+  command.option("--triangles", "N ...", &options.triangles,
+                 "Sizes of the benchmarks' scenes; 0 for none [1000 100000]", whole_number(0, 100'000'000));
+  command.option("--sampling", "CxR ...", &samplings,
+                 "Samples of a beam to compare, columns x rows [2x100 4x100 2x200 4x200 4x400 8x400]", a_sampling);
+  command.option(
+      "--converged", "CxR", [&options](const std::string& text) { options.converged = sampling_from(text).value(); },
+      "Samples of the pings they are compared with [32x1600]", a_sampling);
+  command.option("--pings", "N", &options.pings, "Pings of each scene, spread over the scenario's [3]",
+                 whole_number(1, 1'000));
+  command.option("--repetitions", "N", &options.repetitions, "Times that each is timed [7]",
+                 whole_number(1, 1'000'000));
+  command.option("--threads", "N", &options.threads, "Worker threads [2]", whole_number(1, 1024));
+  command.option("--json", "FILE", &options.json, kJson);
+  command.footer(
+      "Example:\n  insonify bench sampling scenes/ferry_calibrated.yaml --triangles 1000 --sampling 4x100 4x200");
+  command.act([&options, &samplings] {
+    std::erase(options.triangles, 0);
+    if (!samplings.empty()) {
+      options.samplings.clear();
+    }
+    for (const std::string& text : samplings) {
+      options.samplings.push_back(sampling_from(text).value());
+    }
+    return bench_sampling(options);
+  });
+}
+
+}  // namespace
+
+void add_bench(const Command& program) {
+  const Command bench = program.add("bench", "Measure how fast this machine is");
+  bench.footer("Help on one: insonify bench engine --help");
+  add_bench_of_scenes(bench, "engine", "Whole pings against the bare traversal of their rays",
+                      "--triangles 1000 100000 --threads 1 --json rows.json", true, bench_engine);
+  add_paper_bench(bench);
+  add_bench_of_scenes(bench, "primary", "Primary echoes that rays trace against drawn ones",
+                      "--triangles 1000 10000 100000", false, bench_primary);
+  add_bench_of_scenes(bench, "batch", "Batches of pings against the same pings one by one",
+                      "--triangles 1000 --threads 2", true, bench_batch);
+  add_bench_of_scenes(bench, "changes", "Sonars and objects that change while a simulator runs",
+                      "--triangles 1000 100000", false, bench_changes);
+  add_sampling_bench(bench);
+}
+
+}  // namespace insonify

@@ -1,0 +1,103 @@
+// emulate.cpp -- insonify emulate: its options, and what each instrument prints.
+
+#include "emulate/emulate.h"
+
+#include <fmt/format.h>
+
+#include "console/console.h"
+#include "console/outcome.h"
+#include "console/stop.h"
+#include "emulate/oculus_server.h"
+#include "emulate/ping360_server.h"
+
+namespace insonify {
+namespace {
+
+void say_mode(const char* name, const OculusMode& mode) {
+  say("{}: {:.4g} kHz, to {:.4g} m\n", name, mode.sonar.frequency / 1e3, mode.sonar.max_range);
+}
+
+// Serves until SIGINT or SIGTERM.
+template <typename Server>
+int serve_until_stopped(Server& server, const EmulateOptions& options) {
+  flush_output();
+  server.run();
+  if (!options.quiet) {
+    say("{}\n", server.report().text());
+  }
+  return kDone;
+}
+
+int emulate_oculus(const EmulateOptions& options) {
+  end_when_asked(IgnoredInterrupt::kEnds);
+  EmulatedSonar sonar(options, Product::kImage, "oculus");
+  OculusServer server(options, sonar);
+  say("Oculus {} on TCP {}, status to UDP {}\n", sonar.given().name, server.address(), server.status_address());
+  if (!options.quiet) {
+    say_mode("mode 1 (low)", server.modes().low);
+    if (server.modes().high) {
+      say_mode("mode 2 (high)", *server.modes().high);
+    }
+  }
+  return serve_until_stopped(server, options);
+}
+
+int emulate_ping360(const EmulateOptions& options) {
+  end_when_asked(IgnoredInterrupt::kEnds);
+  EmulatedSonar sonar(options, Product::kLine, "ping360");
+  Ping360Server server(options, sonar);
+  if (sonar.scenario().model == EchoModel::kPaper) {
+    complain("warning: in the paper's model transmit_duration has no effect");
+  }
+  say("Ping360 {} on UDP {}\n", sonar.given().name, server.address());
+  if (options.serial) {
+    say("and on the serial line {}\n", server.serial_path());
+  }
+  return serve_until_stopped(server, options);
+}
+
+// Adds the command of an instrument, and the options that all have.
+EmulateOptions& add_instrument(const Command& command, int port, int (*emulate)(const EmulateOptions&)) {
+  auto& options = command.keep<EmulateOptions>();
+  options.port = port;
+  command.argument("SCENARIO", &options.scenario, "Scenario file (YAML)");
+  command.option("--sonar", "NAME", &options.sonar, "Sonar of the scenario, by its name; the first of the right type",
+                 not_empty("a sonar's name"));
+  command.option("--port", "N", &options.port, fmt::format("Port; 0: any free port [{}]", port),
+                 whole_number(0, 65535));
+  command.option("--address", "IP", &options.address, "Address to listen on [127.0.0.1]");
+  command.option("--threads", "N", &options.threads, "Worker threads; 0: one per processor [0]", whole_number(0, 1024));
+  command.option("--set", "KEY=VALUE", &options.settings,
+                 "Change a key of the scenario, such as min_range=0.5; may be repeated");
+  command.flag("-q,--quiet", &options.quiet, "Print only addresses, warnings and errors");
+  command.act([&options, emulate] { return emulate(options); });
+  return options;
+}
+
+}  // namespace
+
+void add_emulate(const Command& program) {
+  const Command emulate = program.add("emulate", "Emulate an instrument for its own drivers");
+  emulate.footer("Help on one: insonify emulate ping360 --help");
+
+  const Command oculus = emulate.add("oculus", "Blueprint Subsea Oculus: images over TCP, status over UDP port 52102");
+  EmulateOptions& oculus_options = add_instrument(oculus, 52100, emulate_oculus);
+  oculus.option("--high", "NAME", &oculus_options.high,
+                "Sonar of the scenario for the high frequency mode [the preset's]", not_empty("a sonar's name"));
+  oculus.footer(
+      "Its range, frequency mode, gain, ping rate and sound speed are as fire messages say; the rest is the\n"
+      "scenario's. Drivers find it by its status messages, and expect port 52100. Ctrl-C ends it; SIGUSR1 prints rate\n"
+      "and latency.\n\n"
+      "Example:\n  insonify emulate oculus dive.yaml");
+
+  const Command ping360 = emulate.add("ping360", "Blue Robotics Ping360: the ping protocol over UDP");
+  EmulateOptions& ping360_options = add_instrument(ping360, 9092, emulate_ping360);
+  ping360.flag("--pty", &ping360_options.serial, "Open a serial line too (a pseudo terminal), and print its path");
+  ping360.footer(
+      "Its range, frequency, gain, pulse and head are as its commands say; the rest is the scenario's. Ctrl-C ends "
+      "it;\n"
+      "SIGUSR1 prints rate and latency.\n\n"
+      "Example:\n  insonify emulate ping360 scan.yaml --port 9092");
+}
+
+}  // namespace insonify
