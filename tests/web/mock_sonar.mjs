@@ -7,8 +7,8 @@ const azimuthsOf = (beams, aperture) => Array.from({ length: beams }, (_, i) => 
 
 export function makeSonars() {
   return [
-    { name: "fls", type: "fls", beams: 128, bins: 250, min_range: 0.2, max_range: 30, azimuths: azimuthsOf(128, 120), elevation_aperture: 20, azimuth_aperture: 120, step: 0, gain_db: 0, period: 0.05, reference: "dB re source at 1 m", levels: [-110, -30] },
-    { name: "head", type: "msis", beams: 1, bins: 300, min_range: 0.3, max_range: 15, azimuths: [0], elevation_aperture: 35, azimuth_aperture: 3, step: 3.6, gain_db: 0, period: 0.05, reference: "dB re source at 1 m", levels: [-110, -30] },
+    { name: "fls", type: "fls", product: "image", beams: 128, bins: 250, min_range: 0.2, max_range: 30, azimuths: azimuthsOf(128, 120), elevation_aperture: 20, azimuth_aperture: 120, step: 0, gain_db: 0, period: 0.05, reference: "dB re source at 1 m", levels: [-110, -30] },
+    { name: "head", type: "msis", product: "line", beams: 1, bins: 300, min_range: 0.3, max_range: 15, azimuths: [0], elevation_aperture: 35, azimuth_aperture: 3, step: 3.6, gain_db: 0, period: 0.05, reference: "dB re source at 1 m", levels: [-110, -30] },
   ];
 }
 

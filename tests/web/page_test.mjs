@@ -574,7 +574,7 @@ const failed = await runChecks({
     const written = (beams, aperture, mode) => page.evaluate(async (count, degrees, way) => {
       const [{ drawGraticule }, { makePlan }, { describeSonar }] = await Promise.all(["draw/graticule", "draw/plan", "sonar"].map((name) => import(`./js/${name}.js`)));
       const azimuths = Array.from({ length: count }, (_, i) => degrees / 2 - ((i + 0.5) * degrees) / count);
-      const sonar = describeSonar({ type: "fls", beams: count, bins: 100, min_range: 0.2, max_range: 15, azimuths, azimuth_aperture: degrees });
+      const sonar = describeSonar({ type: "fls", product: "image", beams: count, bins: 100, min_range: 0.2, max_range: 15, azimuths, azimuth_aperture: degrees });
       const context = document.createElement("canvas").getContext("2d");
       const labels = [];
       context.fillText = (label, x, y) => {
@@ -873,7 +873,7 @@ const failed = await runChecks({
         return texts;
       };
       const { sonar } = { sonar: insonify.store.get("sonar") };
-      return { fan: textsOf(sonar, "fan"), polar: textsOf(sonar, "polar"), round: textsOf({ ...sonar, scanning: true }, "round") };
+      return { fan: textsOf(sonar, "fan"), polar: textsOf(sonar, "polar"), round: textsOf(sonar, "round") };
     });
     for (const mode of ["fan", "polar"]) {
       const at = new Map(written[mode]);

@@ -73,3 +73,9 @@ export function lookAt(eye, target, up) {
     -dot(right, eye), -dot(top, eye), -dot(back, eye), 1,
   ]);
 }
+
+/** A pose turned by an angle about its own z. */
+export function turned({ position, orientation: [w, x, y, z] }, angle) {
+  const [c, s] = [Math.cos(angle / 2), Math.sin(angle / 2)];
+  return { position, orientation: [w * c - z * s, x * c + y * s, y * c - x * s, z * c + w * s] };
+}

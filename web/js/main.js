@@ -3,7 +3,7 @@
 import { byId } from "./dom.js";
 import { drawColourBar } from "./draw/colour_bar.js";
 import { Frames } from "./frames.js";
-import { setUpDisplay, nextMap, nextOverlay, fitContrast, followContrast } from "./panels/display.js";
+import { setUpDisplay, nextMap, nextOverlay, nextPicture, fitContrast, followContrast } from "./panels/display.js";
 import { Flight } from "./panels/flight.js";
 import { setUpKeyboard } from "./panels/keyboard.js";
 import { kViews, setUpLayout, setUpSonars } from "./panels/layout.js";
@@ -94,7 +94,7 @@ setUpKeyboard(flight, [
   ["g", "Fit the contrast", () => fitContrast(store)],
   ["m", "Next colours", () => nextMap(store)],
   ["o", "Next overlay", () => nextOverlay(store)],
-  ["v", "Fan or polar", () => store.get("sonar")?.scanning || store.set({ mode: store.get("mode") === "fan" ? "polar" : "fan" })],
+  ["v", "Fan or polar", () => nextPicture(store)],
   ...kViews.map((name, i) => [String(i + 1), `Enlarge the ${["picture", "scene", "A-scan", "waterfall"][i]}`, () => store.set({ main: name })]),
   ["l", "Light or dark", press("theme")],
   ["?", "This help", () => byId("help").showModal()],

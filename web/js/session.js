@@ -144,11 +144,11 @@ export class Session {
   #modeFor(sonar, same) {
     const now = this.store.get("mode");
     const kNarrow = radians(4);
-    const isNarrow = !sonar.scanning && (sonar.beams === 1 || sonar.ports[0] - sonar.starboards.at(-1) < kNarrow);
+    const { pictures, gathers } = sonar.product;
+    const isNarrow = !gathers && (sonar.beams === 1 || sonar.ports[0] - sonar.starboards.at(-1) < kNarrow);
     const wanted = same ? now : isNarrow ? "polar" : this.#modeBefore || now;
     if (!same) this.#modeBefore = isNarrow ? this.#modeBefore || now : "";
-    const modes = sonar.scanning ? ["round"] : ["fan", "polar"];
-    return modes.includes(wanted) ? wanted : modes[0];
+    return pictures.includes(wanted) ? wanted : pictures[0];
   }
 
   #modeBefore = "";  // that of the sonar before a narrow one

@@ -1,8 +1,7 @@
 // sonar.js -- beams and bins of the watched sonar: from indices to ranges and azimuths, and back.
 
 import { radians, wrapped } from "./geometry.js";
-
-export const kRoundSlots = 1440;  // columns of a scanning head's round picture
+import { kRoundSlots, productOf } from "./product.js";
 
 /** Adds to a SONAR of `hello` what drawing needs; angles in rad. */
 export function describeSonar(sonar) {
@@ -11,11 +10,11 @@ export function describeSonar(sonar) {
   const edges = sonar.azimuth_edges?.map(radians) ?? edgesOf(azimuths, aperture);
   // Edges between beams; where there are gaps between beams, both edges of each in turn.
   const each = edges.length > azimuths.length + 1 ? 2 : 1;
-  const scanning = sonar.type === "msis";
-  const vertical = scanning && sonar.mounting === "vertical";
+  const product = productOf(sonar);
+  const vertical = product.gathers && sonar.mounting === "vertical";
   return {
     ...sonar,
-    scanning,
+    product,
     vertical,
     // A vertical head's port side points up: up is drawn upwards, and the housing's front to the right.
     up: vertical ? Math.PI / 2 : 0,  // azimuth that is drawn upwards

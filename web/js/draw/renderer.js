@@ -1,6 +1,7 @@
 // renderer.js -- draws the levels of a ping as fan, polar or round picture by WebGL2.
 
-import { beamTable, kRoundSlots } from "../sonar.js";
+import { kRoundSlots } from "../product.js";
+import { beamTable } from "../sonar.js";
 import { colourTable, labelTable } from "./colour_maps.js";
 import { makeProgram, openGl, poolBins, Table } from "./gl.js";
 import { setLevelUniforms } from "./level_shader.js";
@@ -55,7 +56,7 @@ export class PictureRenderer {
     this.round.clear(sonar);
     if (!sonar) return;
     this.tables.beam_table.fill(kBeamTable, 1, beamTable(sonar, kBeamTable));
-    if (sonar.scanning) {
+    if (sonar.product.gathers) {
       this.group = Math.ceil(sonar.bins / this.limit);
       this.rows = Math.ceil(sonar.bins / this.group);
       this.tables.levels.fill(kRoundSlots, this.rows, new Uint16Array(kRoundSlots * this.rows));
@@ -87,7 +88,7 @@ export class PictureRenderer {
     const kind = kOverlays[name];
     const table = ping?.tables[name];
     if (!kind || this.group > 1) return 0;
-    if (this.sonar.scanning) {
+    if (this.sonar.product.gathers) {
       if (this.overlayOf !== name) this.#fillRoundOverlay(name);
       return kind;
     }
@@ -119,7 +120,7 @@ export class PictureRenderer {
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT);
     if (!ping || !plan || ping.beams !== sonar.beams || ping.bins !== sonar.bins) return;
-    if (!sonar.scanning) this.#upload(ping);
+    if (!sonar.product.gathers) this.#upload(ping);
     if (this.map !== store.get("map")) {
       this.map = store.get("map");
       this.tables.colour_map.fill(256, 1, colourTable(this.map));
@@ -135,7 +136,7 @@ export class PictureRenderer {
     gl.uniform1i(at.smooth_cells, store.get("smooth") ? 1 : 0);
     gl.uniform2f(at.azimuths, sonar.ports[0], sonar.starboards.at(-1));
     gl.uniform1f(at.up, sonar.up);
-    gl.uniform2i(at.size, sonar.scanning ? kRoundSlots : sonar.beams, this.rows);
+    gl.uniform2i(at.size, sonar.product.columns(sonar), this.rows);
     gl.uniform1i(at.overlay, overlay);
     gl.uniform1f(at.elevation_half, sonar.elevationAperture / 2);
     gl.uniform4f(at.view, ...plan.view);

@@ -1,6 +1,7 @@
 // round.js -- the round picture of a scanning head: the last ping in each direction.
 
-import { kRoundSlots, slotAt } from "../sonar.js";
+import { kRoundSlots } from "../product.js";
+import { slotAt } from "../sonar.js";
 
 /** Echoes by direction. Columns are azimuths (see slotAt), rows are bins. */
 export class RoundPicture {

@@ -167,8 +167,7 @@ export class SceneRenderer {
 
   #drawSonar(camera, store, sonar, ping) {
     const { gl, lists } = this;
-    const pose = sonar.scanning ? turned(ping.pose, ping.headAngle) : ping.pose;
-    const matrix = poseMatrix(pose);
+    const matrix = poseMatrix(sonar.product.pose(ping));
     if (store.get("showSector")) {
       this.#once("sector", sonar, () => {
         const { lines, faces } = sectorShape(sonar);
@@ -225,12 +224,6 @@ export class SceneRenderer {
     this.of[name] = value;
     upload(value);
   }
-}
-
-/** A pose turned by an angle about its own z. */
-function turned({ position, orientation: [w, x, y, z] }, angle) {
-  const [c, s] = [Math.cos(angle / 2), Math.sin(angle / 2)];
-  return { position, orientation: [w * c - z * s, x * c + y * s, y * c - x * s, z * c + w * s] };
 }
 
 function rgbOf(name) {

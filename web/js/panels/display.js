@@ -4,6 +4,7 @@ import { byId, element, write } from "../dom.js";
 import { labelColour } from "../draw/colour_maps.js";
 import { number } from "../format.js";
 import { levelDb } from "../link/decode.js";
+import { kPictures, productIn } from "../product.js";
 import { binRange } from "../sonar.js";
 
 const kMaps = ["inferno", "copper", "grey", "turbo", "blue"];
@@ -34,7 +35,7 @@ export function setUpDisplay(store, frames, roundPings) {
   });
   byId("auto").addEventListener("click", () => fitContrast(store));
   byId("contrast-reset").addEventListener("click", () => resetContrast(store));
-  for (const mode of ["fan", "polar", "round"]) byId(`mode-${mode}`).addEventListener("click", () => store.set({ mode }));
+  for (const mode of kPictures) byId(`mode-${mode}`).addEventListener("click", () => store.set({ mode }));
   store.on(["mode", "sonar"], () => showModes(store));
   setUpBeam(store);
   const redraw = frames.add(() => drawLegend(store, roundPings));
@@ -75,9 +76,9 @@ function setUpBeam(store) {
   }
   store.on(["sonar"], () => {
     // A scanning head has a single beam: there is nothing to choose.
-    const scanning = store.get("sonar")?.scanning ?? false;
-    byId("waterfall-of-field").hidden = byId("beam-field").hidden = scanning;
-    write(byId("beam-hint"), scanning ? "The head has one beam: each row is a ping, in the direction that the head had then. A click on the picture chooses the object." : "A click on the picture chooses the beam, and the object.");
+    const { gathers, hint } = productIn(store);
+    byId("waterfall-of-field").hidden = byId("beam-field").hidden = gathers;
+    write(byId("beam-hint"), hint);
   });
   store.on(["beam", "sonar"], () => {
     input.max = (store.get("sonar")?.beams ?? 1) - 1;
@@ -86,10 +87,10 @@ function setUpBeam(store) {
 }
 
 function showModes(store) {
-  const scanning = store.get("sonar")?.scanning ?? false;
-  byId("mode-fan").hidden = byId("mode-polar").hidden = scanning;
-  byId("mode-round").hidden = !scanning;
-  for (const mode of ["fan", "polar", "round"]) byId(`mode-${mode}`).setAttribute("aria-pressed", String(store.get("mode") === mode));
+  for (const mode of kPictures) {
+    byId(`mode-${mode}`).hidden = !productIn(store).pictures.includes(mode);
+    byId(`mode-${mode}`).setAttribute("aria-pressed", String(store.get("mode") === mode));
+  }
 }
 
 /** The levels that the server proposes for the watched sonar. */
@@ -129,8 +130,11 @@ export function fitContrast(store) {
   store.set({ high, low: Math.max(high - 90, Math.min(low, high - 12)) });
 }
 
-/** The next colour map or overlay, for the keyboard. */
-export const nextMap = (store) => store.set({ map: kMaps[(kMaps.indexOf(store.get("map")) + 1) % kMaps.length] });
+const after = (list, item) => list[(list.indexOf(item) + 1) % list.length];
+
+/** The next kind of picture, colour map or overlay, for the keyboard. */
+export const nextPicture = (store) => store.set({ mode: after(productIn(store).pictures, store.get("mode")) });
+export const nextMap = (store) => store.set({ map: after(kMaps, store.get("map")) });
 export function nextOverlay(store) {
   const from = kOverlays.indexOf(store.get("overlay"));
   const order = [...kOverlays.slice(from + 1), ...kOverlays.slice(0, from + 1)];
@@ -167,8 +171,7 @@ const kMostEntries = 12;
 
 // The tables that the picture shows: a scanning head's picture has one for each ping of a turn.
 function tablesOf(store, ping, overlay, roundPings) {
-  const pings = store.get("sonar")?.scanning ? new Set(roundPings()) : [ping];
-  return [...pings].map((each) => each?.tables[overlay]).filter(Boolean);
+  return productIn(store).pings(ping, roundPings()).map((each) => each?.tables[overlay]).filter(Boolean);
 }
 
 function labelEntries(store, tables, overlay) {

@@ -1,6 +1,7 @@
 // settings.js -- controls of the scenario's settings, made from the keys that the server offers.
 
 import { byId, element } from "../dom.js";
+import { productIn } from "../product.js";
 import { generalKey, groupOf, labelOf, rankOf } from "./setting_names.js";
 
 const kRanges = [1, 2, 3, 5, 7.5, 10, 15, 20, 25, 30, 40, 50, 60, 75, 100, 120, 150, 200, 300, 500];
@@ -41,7 +42,7 @@ function keysOfSonar(store) {
   const index = hello?.sonars.findIndex((sonar) => sonar.name === name) ?? -1;
   return Object.entries(hello?.keys ?? {})
     .map(([path, entry]) => [path, entry, generalKey(path, index, name)])
-    .filter(([, , key]) => key !== null && (store.get("sonar")?.scanning || !kOfHead.has(key)))
+    .filter(([, , key]) => key !== null && (productIn(store).gathers || !kOfHead.has(key)))
     .sort(([, , a], [, , b]) => rankOf(a) - rankOf(b));
 }
 

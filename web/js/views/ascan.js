@@ -26,8 +26,9 @@ export class AscanView {
     const ping = found?.bins === sonar?.bins && beam < found?.beams ? found : null;
     this.#explain(sonar, ping, cursor);
     if (!sonar || !ping) return;
-    const azimuth = sonar.scanning ? ping.headAngle : sonar.beamAzimuths[beam];
-    write(byId("ascan-caption"), `${sonar.scanning ? "" : `Beam ${beam}   `}${bearing(azimuth, sonar.vertical)}${cursor ? "" : sonar.scanning ? "" : "   (chosen)"}`);
+    const { product } = sonar;
+    const azimuth = product.azimuth(sonar, ping, beam);
+    write(byId("ascan-caption"), `${product.beam(beam)}${bearing(azimuth, sonar.vertical)}${cursor ? "" : product.chosen}`);
     const low = store.get("low");
     const high = Math.max(store.get("high"), low + 1);
     const margin = (high - low) * 0.12;

@@ -6,6 +6,7 @@ import { drawGraticule } from "../draw/graticule.js";
 import { makePlan, underPoint } from "../draw/plan.js";
 import { PictureRenderer } from "../draw/renderer.js";
 import { clock } from "../format.js";
+import { productIn } from "../product.js";
 import { binRange, slotAt } from "../sonar.js";
 import { watchGestures } from "./gestures.js";
 
@@ -41,7 +42,7 @@ export class PictureView {
 
   /** Takes in every ping, also those that come faster than pictures are drawn. */
   add(ping) {
-    if (this.store.get("sonar")?.scanning) this.renderer.addRound(ping);
+    if (productIn(this.store).gathers) this.renderer.addRound(ping);
   }
 
   /** What the round picture holds: its pings by column. */
@@ -153,7 +154,7 @@ export class PictureView {
     const clamp = (value, count) => Math.max(0, Math.min(count - 1, value));
     const bin = clamp((from?.bin ?? Math.floor(sonar.bins / 2)) + bins, sonar.bins);
     const range = binRange(sonar, bin);
-    if (sonar.scanning) {
+    if (sonar.product.gathers) {
       const turn = (from?.azimuth ?? 0) - beams * (sonar.ports[0] - sonar.starboards[0]);
       const azimuth = Math.atan2(Math.sin(turn), Math.cos(turn));
       this.store.set({ cursor: { range, azimuth, beam: 0, bin, slot: slotAt(azimuth) } });

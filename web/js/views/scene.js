@@ -47,12 +47,12 @@ export class SceneView {
   }
 
   #newSonar() {
-    const { max_range: reach, scanning } = this.store.get("sonar") ?? {};
-    if (!reach || (reach === this.camera.reach && scanning === this.camera.around)) return;
+    const { max_range: reach, product } = this.store.get("sonar") ?? {};
+    if (!reach || (reach === this.camera.reach && product.gathers === this.camera.around)) return;
     this.camera.distance *= reach / this.camera.reach;
     this.camera.reach = reach;
-    const other = scanning !== this.camera.around;
-    this.camera.around = scanning;
+    const other = product.gathers !== this.camera.around;
+    this.camera.around = product.gathers;
     if (other) this.#begin(this.store.get("camera"));
     this.redraw();
   }

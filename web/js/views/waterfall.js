@@ -77,7 +77,7 @@ export class WaterfallView {
     this.levels.fill(this.width, kRows, new Uint16Array(this.width * kRows));
     const beam = store.get("waterfallOf") === "beam";
     const azimuth = sonar.beamAzimuths[Math.min(store.get("beam"), sonar.beams - 1)];
-    const what = sonar.scanning ? "Head's beam" : beam ? `Beam ${store.get("beam")}   ${bearing(azimuth)}` : "Strongest echo";
+    const what = sonar.product.waterfall ?? (beam ? `Beam ${store.get("beam")}   ${bearing(azimuth)}` : "Strongest echo");
     write(byId("waterfall-caption"), what);
     this.redraw();
   }

@@ -1,0 +1,42 @@
+// product.js -- what is drawn of a sonar, by the product of its pings: an image, or lines of one beam that a head turns.
+// Nothing else chooses: the views ask the table.
+
+import { turned } from "./geometry.js";
+
+export const kRoundSlots = 1440;  // columns of a scanning head's round picture
+
+const kProducts = {
+  image: {
+    pictures: ["fan", "polar"],           // the usual one first
+    gathers: false,                       // whether a picture holds the lines of many pings
+    columns: (sonar) => sonar.beams,      // of the picture's tables
+    pings: (ping) => [ping],              // those that the picture shows
+    pose: (ping) => ping.pose,            // of the beams in the world
+    azimuth: (sonar, ping, beam) => sonar.beamAzimuths[beam],
+    beam: (beam) => `Beam ${beam}   `,
+    chosen: "   (chosen)",                // behind the chosen beam
+    waterfall: null,                      // caption; null: that of what is chosen
+    hint: "A click on the picture chooses the beam, and the object.",
+  },
+  line: {
+    pictures: ["round"],
+    gathers: true,
+    columns: () => kRoundSlots,
+    pings: (ping, roundPings) => [...new Set(roundPings)],
+    pose: (ping) => turned(ping.pose, ping.headAngle),
+    azimuth: (sonar, ping) => ping.headAngle,
+    beam: () => "",
+    chosen: "",
+    waterfall: "Head's beam",
+    hint: "The head has one beam: each row is a ping, in the direction that the head had then. A click on the picture chooses the object.",
+  },
+};
+
+/** The kinds of picture of all products. */
+export const kPictures = Object.values(kProducts).flatMap(({ pictures }) => pictures);
+
+/** What is drawn of a SONAR of `hello`. */
+export const productOf = (sonar) => kProducts[sonar.product];
+
+/** What is drawn of the watched sonar; before there is one, of an image. */
+export const productIn = (store) => store.get("sonar")?.product ?? kProducts.image;
