@@ -28,6 +28,10 @@ struct BearingGrid {
   /// Adds a slice on the starboard side [rad].
   void add(double centre, double port_edge, double starboard_edge);
 
+  /// Adds the slices of another grid on the starboard side, behind a gap or touching: groups of beams.
+  /// @param more  Its first port edge is at most the last starboard edge of this one.
+  void add(const BearingGrid& more);
+
   [[nodiscard]] int count() const { return static_cast<int>(centres.size()); }
   [[nodiscard]] double width(int slice) const { return port[slice] - starboard[slice]; }  ///< [rad]
   [[nodiscard]] double extent() const { return port.front() - starboard.back(); }         ///< With gaps [rad].

@@ -64,7 +64,8 @@ struct SonarConfig {
 
   // Fan of beams.
   int beam_count = 256;                                 ///< Beams across the azimuth aperture, 1..4096.
-  double azimuth_aperture = radians_from_degrees(120);  ///< Full width of the fan [rad], in (0, 2 pi].
+  double azimuth_aperture = radians_from_degrees(120);  ///< Full width of the fan [rad], in (0, 2 pi]; with
+                                                        ///< beam_azimuths that of bearings(), see set_bearings().
   std::vector<double>
       beam_azimuths;  ///< Explicit centres, falling from port to starboard [rad]; evenly spaced in angle when empty.
   std::vector<double>
@@ -169,6 +170,11 @@ struct SonarConfig {
   /// The slices of azimuth that the beams cover. Without beam_widths they touch: edges are midway between centres, the
   /// outermost beams extend as far outwards as inwards, and evenly spaced beams fill the aperture exactly.
   [[nodiscard]] BearingGrid bearings() const;
+
+  /// Sets beam_count, beam_azimuths, beam_widths and azimuth_aperture to those of a grid, which may have gaps:
+  /// bearings() is then this grid, but for rounding. A fan's.
+  /// @param grid  Slices of azimuth with their centres in the middle, as BearingGrid::even() makes them.
+  void set_bearings(const BearingGrid& grid);
 
   /// The mounting pose, housing to vehicle. A vertical mounting first rolls the housing by +90 deg about its x, so that
   /// its y, towards which the head turns, points up: positive head angles look up.

@@ -3,6 +3,7 @@
 #include "insonify/bearing_grid.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <iterator>
 #include <utility>
@@ -34,6 +35,13 @@ void BearingGrid::add(double centre, double port_edge, double starboard_edge) {
   centres.push_back(centre);
   port.push_back(port_edge);
   starboard.push_back(starboard_edge);
+}
+
+void BearingGrid::add(const BearingGrid& more) {
+  assert(centres.empty() || more.centres.empty() || more.port.front() <= starboard.back());
+  for (int i = 0; i < more.count(); ++i) {
+    add(more.centres[i], more.port[i], more.starboard[i]);
+  }
 }
 
 double BearingGrid::covered() const {

@@ -277,6 +277,16 @@ BearingGrid SonarConfig::bearings() const {
   return grid;
 }
 
+void SonarConfig::set_bearings(const BearingGrid& grid) {
+  beam_count = grid.count();
+  beam_azimuths = grid.centres;
+  beam_widths.clear();
+  for (int beam = 0; beam < grid.count(); ++beam) {
+    beam_widths.push_back(grid.width(beam));
+  }
+  azimuth_aperture = grid.extent();
+}
+
 Pose SonarConfig::vehicle_from_sonar() const {
   Pose pose{position, orientation_from_rpy(orientation.x(), orientation.y(), orientation.z())};
   if (head.mounting == Mounting::kVertical) {

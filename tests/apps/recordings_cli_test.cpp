@@ -175,7 +175,8 @@ TEST_F(RecordingsCliTest, ReplayDrawsWhatTheRunHasDrawn) {
 
 TEST_F(RecordingsCliTest, ExportWarnsOfAnUnfinishedRecording) {
   {
-    const Process process({"run", "fan.yaml", "-o", "out", "--no-pictures", "--pings", "1000000"});
+    const Process process(
+        {"run", "fan.yaml", "-o", "out", "--no-pictures", "--pings", "1000000", "--set", "bin_count=1000"});
     Process::wait_until([] {
       std::error_code ignored;
       const auto size = std::filesystem::file_size("out/ahead.h5", ignored);

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "insonify/sonar_config.h"
+
 namespace insonify::bearing_grid_test {
 namespace {
 
@@ -29,6 +31,17 @@ TEST(BearingGridTest, TouchingSlicesMeetMidwayBetweenCentres) {
   EXPECT_THAT(grid.port, ElementsAre(6, 4, 1.5));
   EXPECT_THAT(grid.starboard, ElementsAre(4, 1.5, -1.5));
   EXPECT_EQ(grid.width(1), 2.5);
+}
+
+TEST(BearingGridTest, GroupsOfSlicesHaveAGapBetween) {
+  BearingGrid grid = BearingGrid::even(4, 4, 2);
+  grid.add(BearingGrid::even(-4, 4, 2));
+  EXPECT_THAT(grid.edges(), ElementsAre(6, 4, 4, 2, -2, -4, -4, -6));
+  EXPECT_TRUE(grid.gap_after(1));
+  EXPECT_EQ(grid.covered(), 8);
+  SonarConfig sonar;
+  sonar.set_bearings(grid);
+  EXPECT_EQ(sonar.bearings().edges(), grid.edges());
 }
 
 TEST(BearingGridTest, SlicesWithAGapHaveTheirOwnEdges) {

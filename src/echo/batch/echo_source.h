@@ -23,7 +23,7 @@ struct SightEnd {
   std::uint16_t instance = kNoLabel;                      ///< kNoLabel: any.
 };
 
-/// Rays that a source wants to be traced.
+/// Rays that one source wants to be traced for one ping; their indices are its own.
 struct RayList {
   std::vector<Ray> rays;       ///< To the first surface, whether it transmits sound or not.
   std::vector<Ray> sights;     ///< Lines of sight between the sonar and something: they continue behind surfaces that

@@ -10,7 +10,8 @@
 
 namespace insonify {
 
-/// Phase of a point's own reflection, drawn from the seed [turns].
+/// Phase of the own reflection of Scenario::points[point], drawn from the seed [turns]. Other sources need a stream of
+/// their own.
 double own_phase(const FlatPlan& plan, std::size_t point);
 
 /// Adds a discrete echo, unless its range is outside the range window.
