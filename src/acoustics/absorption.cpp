@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "acoustics/constants.h"
+#include "acoustics/argument.h"
 #include "base/square.h"
 
 namespace insonify {

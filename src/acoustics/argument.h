@@ -1,7 +1,8 @@
-// argument.h -- checks an argument of a formula against the limits within which the formula is valid.
+// argument.h -- checks arguments of a formula against the limits within which it is valid; constants of the formulas.
 
 #pragma once
 
+#include <numbers>
 #include <string_view>
 
 #include "insonify/field.h"
@@ -13,5 +14,8 @@ inline void check_argument(std::string_view function, std::string_view name, std
                            const Limits& limits, double value) {
   check_field(function, Field{name, unit, limits, ""}, value);
 }
+
+inline constexpr double kPi = std::numbers::pi;
+inline constexpr double kHertzPerKilohertz = 1e3;
 
 }  // namespace insonify

@@ -9,7 +9,6 @@
 #include <string_view>
 
 #include "acoustics/argument.h"
-#include "acoustics/constants.h"
 #include "acoustics/power_law_relief.h"
 #include "base/square.h"
 #include "insonify/geometry.h"

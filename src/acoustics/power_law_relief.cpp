@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "acoustics/constants.h"
+#include "acoustics/argument.h"
 
 namespace insonify {
 namespace {

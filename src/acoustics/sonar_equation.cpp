@@ -10,7 +10,6 @@
 #include <string_view>
 
 #include "acoustics/argument.h"
-#include "acoustics/constants.h"
 #include "base/square.h"
 #include "insonify/acoustics/absorption.h"
 #include "insonify/error.h"

@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include "acoustics/argument.h"
-#include "acoustics/constants.h"
 #include "insonify/acoustics/backscatter.h"
 #include "insonify/geometry.h"
 

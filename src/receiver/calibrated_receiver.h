@@ -3,6 +3,7 @@
 #pragma once
 
 #include <complex>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
@@ -26,7 +27,6 @@
 #include "receiver/pulse/coarse_bins.h"
 #include "receiver/pulse/range_response.h"
 #include "receiver/reception_shift.h"
-#include "receiver/signals.h"
 #include "receiver/speckle/clutter.h"
 #include "receiver/speckle/scatterer_lattice.h"
 #include "receiver/speckle/scatterer_row.h"
@@ -37,6 +37,19 @@
 #include "receiver/truth_receiver.h"
 
 namespace insonify {
+
+/// Layers of [cell][bin] or [beam][bin]. Which there are is decided when the receiver is built; each step of its chain
+/// treats those that are not empty.
+struct Signals {
+  std::vector<std::complex<float>> field;  ///< Complex field, with speckle.
+  std::vector<float>
+      energy;  ///< Energy, without speckle; with speckle the mean of |field|^2, where decimation needs it.
+  std::vector<float> extended;  ///< With both: the part of the energy that is in every look, see CoarseBins.
+
+  /// @param speckle, mean  Whether there is speckle, and whether its mean is needed.
+  Signals(std::size_t size, bool speckle, bool mean)
+      : field(speckle ? size : 0), energy(!speckle || mean ? size : 0), extended(speckle && mean ? size : 0) {}
+};
 
 /// The receiver chain of the calibrated model. Intensities are relative to the source's at 1 m, so that 10 log10 of one
 /// is EL - SL. For each ping:

@@ -8,7 +8,6 @@
 #include <limits>
 
 #include "view/underwater_light.h"
-#include "view/value_noise.h"
 
 namespace insonify {
 namespace {

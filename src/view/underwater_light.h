@@ -28,4 +28,7 @@ namespace insonify {
 /// Converts linear RGB to screen values, 0..255, not rounded. Highlights are compressed, not clipped.
 [[nodiscard]] Vec3f screen_colour(const Vec3f& linear);
 
+/// Value noise in -1..1 with zero mean: three octaves with grid spacings `size`, half of it and a quarter of it.
+[[nodiscard]] float value_noise(const Vec3& point, double size);
+
 }  // namespace insonify

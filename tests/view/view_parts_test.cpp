@@ -8,7 +8,6 @@
 #include "view/housing.h"
 #include "view/insonified_sector.h"
 #include "view/underwater_light.h"
-#include "view/value_noise.h"
 
 namespace insonify::view_parts_test {
 namespace {

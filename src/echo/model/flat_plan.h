@@ -256,4 +256,11 @@ inline double coherent_reflectance(const FlatPlan& plan, SurfaceLabel surface, d
   return plan.scatter.scattering(surface).reflectance(cosine) * coherent_share(plan, surface, cosine);
 }
 
+/// From which hits of a ping reflected rays are traced.
+enum class SecondarySampling {
+  kNone,
+  kSome,  ///< From a sample of them, see select_hits().
+  kAll
+};
+
 }  // namespace insonify

@@ -8,7 +8,6 @@
 
 #include "echo/grid/echo.h"
 #include "echo/model/flat_plan.h"
-#include "echo/model/secondary_sampling.h"
 
 namespace insonify {
 

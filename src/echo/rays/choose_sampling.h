@@ -8,7 +8,6 @@
 
 #include "echo/model/flat_plan.h"
 #include "echo/model/hit.h"
-#include "echo/model/secondary_sampling.h"
 #include "echo/rays/box_cut.h"
 
 namespace insonify {

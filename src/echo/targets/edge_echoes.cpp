@@ -12,7 +12,7 @@
 #include "acoustics/wedge.h"
 #include "base/vector_math.h"
 #include "echo/model/flat_plan.h"
-#include "echo/targets/fresnel_reach.h"
+#include "echo/targets/glint_window.h"
 #include "echo/targets/point_echoes.h"
 
 namespace insonify {

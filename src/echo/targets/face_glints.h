@@ -12,6 +12,7 @@
 #include "echo/model/flat_plan.h"
 #include "echo/model/left_out.h"
 #include "echo/targets/glint_window.h"
+#include "insonify/scene.h"
 
 namespace insonify {
 

@@ -9,7 +9,7 @@
 #include "echo/grid/echo.h"
 #include "echo/grid/lanes.h"
 #include "receiver/speckle/scatterer_hash.h"
-#include "receiver/speckle/smooth_shares.h"
+#include "receiver/speckle/texture_law.h"
 
 namespace insonify {
 

@@ -9,7 +9,6 @@
 #include <numbers>
 
 #include "base/gamma_quantiles.h"
-#include "receiver/speckle/smooth_shares.h"
 
 namespace insonify {
 namespace {

@@ -1,8 +1,12 @@
-// texture_law.h -- turns a smooth field of normal numbers into the texture of a patchy surface.
+// texture_law.h -- turns a smooth field of normal numbers into the texture of a patchy surface; smooth steps between
+// cells.
 
 #pragma once
 
+#include <cmath>
 #include <vector>
+
+#include "echo/grid/lanes.h"
 
 namespace insonify {
 
@@ -30,5 +34,18 @@ class TextureLaw {
 /// Edge of the cubes for a length of 1.
 /// @param texture  Its values at normal numbers, as TextureLaw::at().
 [[nodiscard]] double unit_edge(const TextureLaw& texture);
+
+/// Shares of the numbers at both ends of four edges. The sum of their squares is 1, so that independent normal numbers
+/// at the ends give a normal number of the same variance.
+/// @param part  Places along the edges, 0..1. The shares change smoothly from edge to edge.
+[[gnu::always_inline]] inline void smooth_shares(Floats part, Floats& low, Floats& high) {
+  const Floats rise = part * part * (3 - 2 * part), fall = 1 - rise;
+  Floats scale = rise * rise + fall * fall;
+  for (int lane = 0; lane < kLanes; ++lane) {
+    scale[lane] = std::sqrt(scale[lane]);
+  }
+  low = fall / scale;
+  high = rise / scale;
+}
 
 }  // namespace insonify
