@@ -7,6 +7,7 @@ install(TARGETS insonify EXPORT insonifyTargets
 if(TARGET insonify_sdf)
   install(TARGETS insonify_sdf LIBRARY COMPONENT library NAMELINK_SKIP)
 endif()
+install(TARGETS insonify_reader RUNTIME DESTINATION ${reader_folder} COMPONENT library)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/presets DESTINATION ${CMAKE_INSTALL_DATADIR}/insonify COMPONENT library)
 
 set(config_folder ${CMAKE_INSTALL_LIBDIR}/cmake/insonify)

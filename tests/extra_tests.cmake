@@ -53,7 +53,7 @@ else()
 endif()
 add_test(NAME linkage
   COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/install/linkage_test.py $<$<BOOL:${hardened}>:--hardened>
-          $<TARGET_FILE:insonify> $<TARGET_FILE:insonify_cli> $<$<TARGET_EXISTS:insonify_sdf>:$<TARGET_FILE:insonify_sdf>>
+          $<TARGET_FILE:insonify> $<TARGET_FILE:insonify_cli> $<TARGET_FILE:insonify_reader> $<$<TARGET_EXISTS:insonify_sdf>:$<TARGET_FILE:insonify_sdf>>
   COMMAND_EXPAND_LISTS)
 # The reader of SDF is opened at the first SDF file, and where it is absent a line says so.
 if(TARGET insonify_sdf AND INSONIFY_BUILD_APPS AND NOT INSONIFY_SANITIZE)

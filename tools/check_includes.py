@@ -51,6 +51,7 @@ ROOMS = {
         "mcap": ["file", "message"],
         "bag": ["file"],
         "recorded": ["file", "recording", "mcap"],
+        "reader": ["file", "picture", "grid", "mesh", "recording"],
         "export": ["file", "picture", "message", "recorded", "bag"],
     },
     "apps": {

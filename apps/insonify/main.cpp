@@ -10,6 +10,7 @@
 #include "export/export.h"
 #include "info/info.h"
 #include "insonify/engine.h"
+#include "insonify/files.h"
 #include "insonify/version.h"
 #include "pictures/draw.h"
 #include "replay/replay.h"
@@ -35,12 +36,16 @@ void add_version(const Command& program) {
   command.act(version);
 }
 
-int run_program(const std::vector<std::string>& words) {
+int run_program(std::vector<std::string> words) {
+  if (std::erase(words, "--in-process") > 0) {
+    read_files_in_process();
+  }
   CommandLine program("insonify", "insonify -- what imaging sonars would show of a 3-D scene");
   program.footer(
       "Start with:  insonify run scenes/sphere.yaml\n"
       "In a browser: insonify serve scenes/ferry_calibrated.yaml\n"
-      "Help on one: insonify run --help");
+      "Help on one: insonify run --help\n"
+      "For debuggers, anywhere: --in-process reads files without insonify-read, which keeps crashes apart");
   add_run(program);
   add_serve(program);
   add_emulate(program);

@@ -19,6 +19,11 @@
 
 namespace insonify {
 
+/// From now on, this process itself reads meshes, PNG pictures, BAG grids and HDF5 recordings: for debuggers. Otherwise
+/// the program insonify-read does, so that a damaged or hostile file on which assimp, libpng or HDF5 crash ends only
+/// that, and is an Error here. INSONIFY_READER=in-process in the environment does the same.
+void read_files_in_process();
+
 /// Reads a mesh file (OBJ, STL, DAE, PLY, glTF, GLB by extension), cleaned (clean_mesh), in metres, z up: DAE units are
 /// applied, but like Gazebo not its up axis; glTF is rotated from y up. Dropped triangles are reported to `log`.
 /// @throws Error with the path for a missing, unreadable or empty file, or one of unknown type.

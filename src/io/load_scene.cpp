@@ -8,6 +8,7 @@
 #include "insonify/files.h"
 #include "insonify/printable.h"
 #include "io/file/input_file.h"
+#include "io/file/reader_process.h"
 #include "io/mesh/mesh_file.h"
 #include "io/mesh/relief_file.h"
 #include "io/stonefish/stonefish_scene.h"
@@ -37,6 +38,7 @@ Scene load_scene(const std::filesystem::path& path, const WorldOptions& options,
   static const std::set<std::string> kHeights = {".asc", ".bag", ".png", ".tif", ".tiff"};
   static const std::set<std::string> kMeshesToConvert = {".osgb", ".osg", ".osgt", ".ive"};
   const std::string ending = ending_of(path);
+  const SharedReader reader;
   if (kSdf.contains(ending)) {
     return sdf_reader(path).load_scene(path, options, log);
   }

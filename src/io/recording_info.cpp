@@ -1,18 +1,21 @@
-// recording_info.cpp -- collects HDF5 attributes or MCAP metadata.
+// recording_info.cpp -- collects HDF5 attributes or MCAP metadata; words and sentences for states.
 
 #include "insonify/recording_info.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cstring>
+#include <vector>
 
 #include "insonify/error.h"
-#include "insonify/recorded_pings.h"
+#include "insonify/printable.h"
 #include "io/file/file_lock.h"
 #include "io/file/input_file.h"
 #include "io/mcap/mcap_metadata.h"
 #include "io/mcap/mcap_tables.h"
-#include "io/recording/hdf5_tables.h"
+#include "io/recorded/open_recording.h"
+#include "io/recording/growing_image.h"
 
 namespace insonify {
 namespace {
@@ -21,10 +24,10 @@ RecordingState state_of(const std::filesystem::path& path, bool whole) {
   return whole ? RecordingState::kWhole : is_growing(path) ? RecordingState::kGrowing : RecordingState::kUnfinished;
 }
 
-RecordingState state_of(const std::filesystem::path& path, const Hdf5Tables& tables) {
-  return tables.state() == GrowingState::kCutShort
-             ? RecordingState::kDiskFull
-             : state_of(path, tables.state() != GrowingState::kGrowing && !is_growing(path));
+RecordingState state_of(const std::filesystem::path& path, const RecordedTables& tables) {
+  const auto is = [&](GrowingState state) { return tables.state() == static_cast<std::uint64_t>(state); };
+  return is(GrowingState::kCutShort) ? RecordingState::kDiskFull
+                                     : state_of(path, !is(GrowingState::kGrowing) && !is_growing(path));
 }
 
 RecordingState state_of(const std::filesystem::path& path, const McapReader& file) {
@@ -32,8 +35,8 @@ RecordingState state_of(const std::filesystem::path& path, const McapReader& fil
 }
 
 RecordingInfo info_of_hdf5(const std::filesystem::path& path) {
-  const Hdf5Tables tables(path);
-  const RecordedPings pings(path);
+  const std::unique_ptr<RecordedTables> opened = open_hdf5(path);
+  const RecordedTables& tables = *opened;
   RecordingInfo info{.format = "HDF5", .bytes = std::filesystem::file_size(path)};
   info.state = state_of(path, tables);
   info.version = tables.text("version");
@@ -43,8 +46,7 @@ RecordingInfo info_of_hdf5(const std::filesystem::path& path) {
   if (const auto seed = tables.attributes().find("seed"); seed != tables.attributes().end() && seed->is_number()) {
     info.seed = seed->get<std::uint64_t>();
   }
-  static_cast<void>(tables.settings());  // Throws for a damaged file, whose contents cannot be trusted.
-  RecordedSonar sonar{.config = pings.sonar_config(), .pings = tables.ping_count()};
+  RecordedSonar sonar{.config = tables.sonar_config(), .pings = tables.ping_count()};
   for (const RecordedTable& table : tables.tables()) {
     info.contents.push_back(table.name);
     if (table.name == "time" && table.type == "<f8" && sonar.pings > 0) {
@@ -92,7 +94,7 @@ RecordingInfo info_of_mcap(const std::filesystem::path& path) {
 
 RecordingState recording_state(const std::filesystem::path& path) {
   check_input_file(path);
-  return is_mcap(path) ? state_of(path, McapReader(path)) : state_of(path, Hdf5Tables(path));
+  return is_mcap(path) ? state_of(path, McapReader(path)) : state_of(path, *open_hdf5(path));
 }
 
 RecordingInfo recording_info(const std::filesystem::path& path) {
@@ -105,6 +107,46 @@ RecordingInfo recording_info(const std::filesystem::path& path) {
     const std::string what = error.what();
     throw Error(what.starts_with(path.string()) ? what : path.string() + ": " + what);
   }
+}
+
+const char* state_word(RecordingState state) {
+  switch (state) {
+    case RecordingState::kGrowing:
+      return "growing";
+    case RecordingState::kUnfinished:
+      return "unfinished";
+    case RecordingState::kDiskFull:
+      return "disk_full";
+    case RecordingState::kWhole:
+      break;
+  }
+  return "whole";
+}
+
+const char* state_text(RecordingState state, std::string_view format) {
+  switch (state) {
+    case RecordingState::kGrowing:
+      return "being written";
+    case RecordingState::kUnfinished:
+      return format == "MCAP" ? "unfinished: the run that wrote it was killed, or the disk was full"
+                              : "unfinished: the run that wrote it was killed";
+    case RecordingState::kDiskFull:
+      return "cut short: the disk was full";
+    case RecordingState::kWhole:
+      break;
+  }
+  return "";
+}
+
+std::string unfinished_text(const std::filesystem::path& path, const RecordingInfo& info) {
+  if (info.state == RecordingState::kWhole) {
+    return "";
+  }
+  std::vector<std::string> pings;
+  for (const RecordedSonar& sonar : info.sonars) {
+    pings.push_back(counted(sonar.pings, "ping") + (info.sonars.size() > 1 ? " of " + sonar.config.name : ""));
+  }
+  return fmt::format("{} is {}; it has {}", path.string(), state_text(info.state, info.format), fmt::join(pings, ", "));
 }
 
 }  // namespace insonify

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "insonify/error.h"
+#include "io/file/reader_process.h"
 
 namespace insonify::fuzz {
 
@@ -34,6 +35,7 @@ class InputFile {
 
  private:
   std::filesystem::path folder_;
+  SharedReader reader_;  // To start a process for each input would take most of the time.
 };
 
 inline std::string_view text_of(const std::uint8_t* data, std::size_t size) {

@@ -27,6 +27,9 @@ int main(int, char** arguments) {
                                   {.replace = true});
     recording.add(ping);
     recording.close();
+    if (insonify::RecordedPings(arguments[1]).ping_count() != 1) {  // Read by insonify-read, installed too.
+      return 1;
+    }
 
     // The near side of the sphere lies at 5.5 m before the middle beam: at the edge between bins 54 and 55 of 0.1 m
     // each.

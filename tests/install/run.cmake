@@ -31,7 +31,7 @@ if(SOURCE_DIR)
   # Takes the same object files: to compile everything once more would take minutes.
   set(ENV{CMAKE_CXX_COMPILER_LAUNCHER} "${CMAKE_CURRENT_LIST_DIR}/take_object.sh;${BUILD_DIR}")
   set(BUILD_DIR ${WORK_DIR}/static)
-  file(REMOVE_RECURSE ${BUILD_DIR}/CMakeFiles/insonify.dir ${BUILD_DIR}/CMakeFiles/insonify_sdf_objects.dir)  # Objects taken know nothing of headers that have changed.
+  file(REMOVE_RECURSE ${BUILD_DIR}/CMakeFiles/insonify.dir ${BUILD_DIR}/CMakeFiles/insonify_reader.dir ${BUILD_DIR}/CMakeFiles/insonify_sdf_objects.dir)  # Objects taken know nothing of headers that have changed.
   run(${CMAKE_COMMAND} -G Ninja -S ${SOURCE_DIR} -B ${BUILD_DIR} -DCMAKE_BUILD_TYPE=Release
       -DCMAKE_CXX_COMPILER=${COMPILER} -DBUILD_SHARED_LIBS=OFF -DCMAKE_UNITY_BUILD=${UNITY}
       -DINSONIFY_BUILD_TESTS=OFF -DINSONIFY_BUILD_APPS=OFF)
@@ -74,7 +74,10 @@ else()
 endif()
 
 build_project(consumer ${CMAKE_CURRENT_LIST_DIR})
-run(${WORK_DIR}/consumer/consumer ${WORK_DIR}/ping.h5)
+if(SOURCE_DIR)  # The program was moved after the installation, and a static library does not know where to.
+  set(reader ${CMAKE_COMMAND} -E env INSONIFY_READER=${prefix}/libexec/insonify/insonify-read)
+endif()
+run(${reader} ${WORK_DIR}/consumer/consumer ${WORK_DIR}/ping.h5)
 message("${output}")
 # A program that the static library is a part of does not know where that was installed.
 if(NOT SOURCE_DIR AND NOT output MATCHES "preset from ${prefix}/share/insonify/presets/tritech-micron-dst.yaml")
@@ -110,7 +113,7 @@ if(EXISTS ${prefix}/bin/insonify)
   if(HARDENED)
     set(hardened --hardened)
   endif()
-  run(${PYTHON} ${CMAKE_CURRENT_LIST_DIR}/linkage_test.py ${hardened} ${cli} ${libraries})
+  run(${PYTHON} ${CMAKE_CURRENT_LIST_DIR}/linkage_test.py ${hardened} ${cli} ${libraries} ${prefix}/libexec/insonify/insonify-read)
   message("${output}")
 
   if(NOT PACKAGES)

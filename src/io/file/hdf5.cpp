@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
 #include <string_view>
 
@@ -29,18 +28,9 @@ std::string system_reason(const std::string& description) {
   return description.substr(first, description.find('\'', first) - first);
 }
 
-// HDF5 1.10 keeps some damaged files open and complains about that on standard error at exit, unless its printing
-// is disabled. std::atexit functions run in reverse order, so this one runs before HDF5's, which is registered
-// already.
-void end_quietly() {
-  static const int kOnce = std::atexit([] { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); });
-  static_cast<void>(kOnce);
-}
-
 }  // namespace
 
 std::string h5_failure() {
-  end_quietly();
   std::string description;
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, take_first, &description);
   if (description.empty()) {

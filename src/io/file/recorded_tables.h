@@ -8,10 +8,13 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "insonify/receiver_config.h"
+#include "insonify/sonar_config.h"
 #include "insonify/stored_tables.h"
 
 namespace insonify {
@@ -49,6 +52,11 @@ class RecordedTables {
   [[nodiscard]] const std::vector<RecordedTable>& tables() const { return tables_; }
   [[nodiscard]] const std::vector<RecordedNames>& names() const { return names_; }
 
+  /// The table of that name; null if there is none.
+  [[nodiscard]] const RecordedTable* find(const std::string& name) const;
+  /// @throws Error if there is none.
+  [[nodiscard]] const RecordedTable& table(const std::string& name) const;
+
   /// Number of pings in all tables.
   [[nodiscard]] std::uint64_t ping_count() const { return ping_count_; }
 
@@ -61,8 +69,17 @@ class RecordedTables {
     return found != attributes_.end() && found->is_string() ? found->get<std::string>() : "";
   }
 
+  /// State of an HDF5 file, a GrowingState; absent in files of old versions. Not in attributes(), since it does not
+  /// describe the run.
+  [[nodiscard]] std::optional<std::uint64_t> state() const { return state_; }
+
   /// The settings of the run, as nested objects; {} if there are none.
   [[nodiscard]] virtual nlohmann::json settings() const = 0;
+
+  /// The settings of the sonar and of its receiver. Missing ones have their defaults.
+  /// @throws Error with the path if there are none, or one is of the wrong type or out of its limits.
+  [[nodiscard]] virtual SonarConfig sonar_config() const;
+  [[nodiscard]] virtual ReceiverConfig receiver_config() const;
 
   /// One row of a table by ping, or a whole table without pings, little-endian.
   /// @param ping  Below ping_count(); 0 for tables without pings.
@@ -81,6 +98,10 @@ class RecordedTables {
   std::vector<RecordedNames> names_;
   std::uint64_t ping_count_ = 0;
   nlohmann::json attributes_ = nlohmann::json::object();
+  std::optional<std::uint64_t> state_;
 };
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RecordedTable, name, type, value_bytes, row, by_ping, axes, notes)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RecordedNames, name, texts)
 
 }  // namespace insonify

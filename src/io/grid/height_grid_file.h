@@ -4,6 +4,8 @@
 
 #include <filesystem>
 #include <string>
+#include <tuple>
+#include <type_traits>
 
 #include "insonify/log.h"
 #include "insonify/mesh.h"
@@ -17,9 +19,25 @@ namespace insonify {
 [[nodiscard]] std::string height_grid_file_endings();
 
 // One reader a format; see load_height_grid.
-[[nodiscard]] HeightGrid load_png_grid(const std::filesystem::path& path);
 [[nodiscard]] HeightGrid load_asc_grid(const std::filesystem::path& path, const Log& log);
 [[nodiscard]] HeightGrid load_bag_grid(const std::filesystem::path& path, const Log& log);
+
+/// What a BAG file holds; the first row is the southernmost.
+struct BagContents {
+  std::uint64_t rows = 0, columns = 0;
+  std::vector<float> heights;    ///< rows x columns, positive upwards [m].
+  std::string metadata;          ///< XML, ISO 19139.
+  bool has_refinements = false;  ///< Whether it is a grid of variable resolution.
+};
+template <typename Bag>
+requires(std::is_same_v<std::remove_const_t<Bag>, BagContents>) [[nodiscard]] auto members(Bag& bag) {
+  return std::tie(bag.rows, bag.columns, bag.heights, bag.metadata, bag.has_refinements);
+}
+[[nodiscard]] bool fits(const BagContents& bag);
+
+/// Reads it by HDF5.
+/// @throws Error with the path.
+[[nodiscard]] BagContents read_bag(const std::filesystem::path& path);
 
 /// Length of one degree on the WGS 84 ellipsoid.
 struct DegreeLength {

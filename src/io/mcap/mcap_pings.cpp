@@ -276,9 +276,4 @@ Ping McapPings::ping(std::uint64_t number) const {
   return ping;
 }
 
-std::vector<double> McapPings::intensity(std::uint64_t number) const {
-  const Ping read = ping(number);
-  return {read.intensity.begin(), read.intensity.end()};
-}
-
 }  // namespace insonify

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "insonify/messages.h"
-#include "io/file/ping_reader.h"
+#include "insonify/ping.h"
 #include "io/mcap/mcap_reader.h"
 
 namespace insonify {
@@ -13,26 +13,21 @@ namespace insonify {
 /// Pings of an MCAP recording made by insonify, also of an unfinished one. Intensities are decoded from the sonar
 /// images: exact within half a step of the mapping (0.0005 dB with 16 bits), 0 at and below its lowest level, clipped
 /// at the highest. There is no ground truth.
-class McapPings : public PingReader {
+class McapPings {
  public:
   /// @param sonar  Its name; "" for the only one.
   /// @throws Error with the path for a file that is missing, not MCAP or not made by insonify; for an unknown sonar,
   /// with the names of those in the file.
   explicit McapPings(const std::filesystem::path& path, const std::string& sonar = "");
 
-  [[nodiscard]] std::uint64_t ping_count() const override { return count_; }
-  [[nodiscard]] int bin_count() const override { return source_.sonar.bin_count; }
-  [[nodiscard]] int beam_count() const override { return source_.sonar.beam_count; }
-  [[nodiscard]] const std::string& sonar() const override { return source_.sonar.name; }
-  [[nodiscard]] const std::string& model() const override { return model_; }
-  [[nodiscard]] double full_scale() const override { return 1; }
-  [[nodiscard]] std::vector<double> intensity(std::uint64_t ping) const override;
-  [[nodiscard]] double greatest_count() const override { return 0; }  // MCAP files hold levels.
-  [[nodiscard]] std::vector<double> counts(std::uint64_t /*ping*/) const override { return {}; }
+  [[nodiscard]] std::uint64_t ping_count() const { return count_; }
+  [[nodiscard]] int bin_count() const { return source_.sonar.bin_count; }
+  [[nodiscard]] int beam_count() const { return source_.sonar.beam_count; }
+  [[nodiscard]] const std::string& sonar() const { return source_.sonar.name; }
+  [[nodiscard]] const std::string& model() const { return model_; }
   /// @throws Error with the path for a message or a chunk that is damaged.
-  [[nodiscard]] Ping ping(std::uint64_t ping) const override;
-  [[nodiscard]] SonarConfig sonar_config() const override { return source_.sonar; }
-  [[nodiscard]] ReceiverConfig receiver_config() const override { return source_.receiver; }
+  [[nodiscard]] Ping ping(std::uint64_t ping) const;
+  [[nodiscard]] SonarConfig sonar_config() const { return source_.sonar; }
 
   [[nodiscard]] const McapReader& file() const { return file_; }
   /// Sonar, receiver and model; `name` is that of its topics.

@@ -17,6 +17,8 @@ class McapTables : public RecordedTables {
 
   /// Those of the sonar and its receiver.
   [[nodiscard]] nlohmann::json settings() const override;
+  [[nodiscard]] SonarConfig sonar_config() const override { return pings_.source().sonar; }
+  [[nodiscard]] ReceiverConfig receiver_config() const override { return pings_.source().receiver; }
   [[nodiscard]] std::vector<std::byte> row(const RecordedTable& table, std::uint64_t ping) const override;
   void read(const RecordedTable& table, NumberType type, std::span<const TableSlice> slices,
             std::span<std::byte> bytes) const override;

@@ -1,7 +1,5 @@
 // check_ply.cpp -- reads the header and skips through the elements to count them.
 
-#include "io/mesh/check_ply.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,6 +13,7 @@
 #include "insonify/error.h"
 #include "insonify/printable.h"
 #include "io/file/input_file.h"
+#include "io/mesh/mesh_checks.h"
 
 namespace insonify {
 namespace {

@@ -1,9 +1,10 @@
-// flatten_scene.cpp -- walks assimp's tree of nodes and copies their meshes into one.
+// flatten_scene.cpp -- walks over assimp's tree of nodes and copies their meshes into one.
 
 #include "io/mesh/flatten_scene.h"
 
 #include <assimp/material.h>
 #include <assimp/mesh.h>
+#include <assimp/scene.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -15,11 +16,20 @@
 
 #include "insonify/error.h"
 #include "insonify/printable.h"
+#include "io/file/input_file.h"
+#include "io/mesh/import_scene.h"
 #include "io/mesh/relief_file.h"
 #include "io/mesh/triangulate.h"
 
 namespace insonify {
 namespace {
+
+// Which part of a scene to use, and how.
+struct FlattenSettings {
+  std::filesystem::path path;  // For messages.
+  std::string submesh;
+  bool keep_normals = true;  // False: ignores the file's normals.
+};
 
 // A mesh of the file with the transform of a node that places it.
 struct PlacedMesh {
@@ -237,9 +247,16 @@ class Flattener {
 
 }  // namespace
 
-FlattenedScene flatten_scene(const aiScene& scene, const FlattenSettings& settings) {
+FlattenedScene read_mesh(const std::filesystem::path& path, const std::string& submesh) {
+  const std::string ending = ending_of(path);
+  Assimp::Importer importer;
+  const aiScene& scene = import_scene(importer, path);
+  // STL stores one normal per triangle, also for surfaces that were smooth.
+  const FlattenSettings settings{.path = path, .submesh = submesh, .keep_normals = ending != ".stl"};
   Eigen::Affine3d mesh_from_file = Eigen::Affine3d::Identity();
-  mesh_from_file.linear() = settings.mesh_from_file;
+  if (ending == ".gltf" || ending == ".glb") {
+    mesh_from_file.linear() << 1, 0, 0, 0, 0, -1, 0, 1, 0;  // y up to z up.
+  }
   std::vector<PlacedMesh> parts;
   collect_parts(scene, *scene.mRootNode, mesh_from_file, parts);
   if (!settings.submesh.empty()) {

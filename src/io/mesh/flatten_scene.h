@@ -1,23 +1,16 @@
-// flatten_scene.h -- merges assimp's tree of nodes and meshes into one mesh.
+// flatten_scene.h -- reads a mesh file by assimp, and merges its tree of nodes and meshes into one mesh.
 
 #pragma once
 
-#include <assimp/scene.h>
-
+#include <algorithm>
 #include <filesystem>
 #include <string>
+#include <tuple>
+#include <type_traits>
 
 #include "insonify/mesh.h"
 
 namespace insonify {
-
-/// Which part of a scene to use, and how.
-struct FlattenSettings {
-  std::filesystem::path path;  ///< For messages.
-  std::string submesh;         ///< Name of a node or mesh; "" for everything.
-  bool keep_normals = true;    ///< False: ignores the file's normals.
-  Eigen::Matrix3d mesh_from_file = Eigen::Matrix3d::Identity();
-};
 
 struct FlattenedScene {
   Mesh mesh;                         ///< Not cleaned. Normals are zero if the file has none.
@@ -26,9 +19,37 @@ struct FlattenedScene {
 };
 
 /// Transforms every mesh by its nodes (restoring the winding of mirrored ones) and makes one slot of each material
-/// name,
-/// "" for assimp's default material. Reads the normal maps of materials whose meshes have texture coordinates.
-/// @throws Error if there is no such submesh; the message lists those that exist.
-[[nodiscard]] FlattenedScene flatten_scene(const aiScene& scene, const FlattenSettings& settings);
+/// name, "" for assimp's default material. Reads the normal maps of materials whose meshes have texture coordinates.
+/// z is up.
+/// @param submesh  Name of a node or mesh; "" for everything.
+/// @throws Error as import_scene() does, and if there is no such submesh; the message lists those that exist.
+[[nodiscard]] FlattenedScene read_mesh(const std::filesystem::path& path, const std::string& submesh);
+
+// How a reader process hands the result back (io/file/shared_bytes.h).
+
+template <typename Parts>
+requires(std::is_same_v<std::remove_const_t<Parts>, Relief>) [[nodiscard]] auto members(Parts& relief) {
+  return std::tie(relief.slopes.columns, relief.slopes.rows, relief.slopes.texels, relief.rise_per_tile,
+                  relief.reflectivity.columns, relief.reflectivity.rows, relief.reflectivity.texels, relief.tile_size,
+                  relief.by_position);
+}
+
+template <typename Parts>
+requires(std::is_same_v<std::remove_const_t<Parts>, FlattenedScene>) [[nodiscard]] auto members(Parts& scene) {
+  auto& mesh = scene.mesh;
+  return std::tie(mesh.vertices, mesh.normals, mesh.triangles, mesh.material_slots, mesh.material_names,
+                  mesh.texture_coordinates, mesh.reliefs, scene.lines_and_points, scene.notes);
+}
+
+/// What clean_mesh() does not look at.
+[[nodiscard]] inline bool fits(const FlattenedScene& scene) {
+  const auto is_tile = [](const auto& tile) {
+    return tile.columns >= 0 && tile.rows >= 0 && tile.texels.size() == std::size_t{1} * tile.columns * tile.rows;
+  };
+  return scene.mesh.normals.size() == scene.mesh.vertices.size() &&
+         std::ranges::all_of(scene.mesh.reliefs, [&](const auto& relief) {
+           return relief == nullptr || (is_tile(relief->slopes) && is_tile(relief->reflectivity));
+         });
+}
 
 }  // namespace insonify

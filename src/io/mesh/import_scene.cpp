@@ -16,11 +16,7 @@
 
 #include "insonify/error.h"
 #include "io/file/input_file.h"
-#include "io/mesh/check_dae.h"
-#include "io/mesh/check_gltf.h"
-#include "io/mesh/check_ply.h"
-#include "io/mesh/check_stl.h"
-#include "io/mesh/obj_text.h"
+#include "io/mesh/mesh_checks.h"
 
 namespace insonify {
 namespace {
@@ -52,21 +48,15 @@ class TextForFile : public Assimp::DefaultIOSystem {
 // Checks the file. Returns the text to read instead of it, or "" if assimp can read the file itself.
 std::string check_and_mend(const std::filesystem::path& path, const std::string& ending) {
   const bool has_mark = has_byte_order_mark(path);
-  if (ending == ".glb") {
-    check_glb(path);
-    return "";
-  }
   if (ending == ".stl") {
     check_stl(path);
-    return "";  // assimp skips the byte order mark itself.
-  }
-  if (ending == ".ply") {
+  } else if (ending == ".ply") {
     check_ply(path);
-    if (!has_mark) {
-      return "";
-    }
   }
-
+  const bool is_checked_as_text = ending == ".obj" || ending == ".dae";
+  if (!is_checked_as_text && (!has_mark || ending == ".stl")) {  // assimp skips the mark of an STL itself.
+    return "";
+  }
   std::string text = read_text(path);
   text.erase(0, has_mark ? kByteOrderMark.size() : 0);
   if (ending == ".obj") {
@@ -74,8 +64,6 @@ std::string check_and_mend(const std::filesystem::path& path, const std::string&
   }
   if (ending == ".dae") {
     check_dae(text, path);
-  } else if (ending == ".gltf") {
-    check_gltf(text, path);
   }
   return has_mark ? text : "";
 }

@@ -1,4 +1,4 @@
-// import_scene.h -- reads a mesh file by assimp, after checks for what assimp would crash on or misread.
+// import_scene.h -- reads a mesh file by assimp, after checks for what it would misread.
 
 #pragma once
 

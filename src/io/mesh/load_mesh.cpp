@@ -1,4 +1,4 @@
-// load_mesh.cpp -- reads mesh files by assimp into one mesh in metres with z up.
+// load_mesh.cpp -- has mesh files read, and cleans them: one mesh in metres with z up.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,8 +12,8 @@
 #include "insonify/error.h"
 #include "insonify/files.h"
 #include "io/file/input_file.h"
+#include "io/file/reader_process.h"
 #include "io/mesh/flatten_scene.h"
-#include "io/mesh/import_scene.h"
 #include "io/mesh/mesh_file.h"
 
 namespace insonify {
@@ -23,17 +23,12 @@ constexpr std::array<std::string_view, 6> kEndings{".obj", ".stl", ".dae", ".ply
 
 // Reads the wanted part of the file, not yet cleaned.
 FlattenedScene read(const std::filesystem::path& path, const std::string& submesh) {
-  const std::string ending = ending_of(path);
-  Assimp::Importer importer;
-  const aiScene& scene = import_scene(importer, path);
-
-  FlattenSettings settings{.path = path, .submesh = submesh};
-  // STL stores one normal per triangle, also for surfaces that were smooth.
-  settings.keep_normals = ending != ".stl";
-  if (ending == ".gltf" || ending == ".glb") {
-    settings.mesh_from_file << 1, 0, 0, 0, 0, -1, 0, 1, 0;  // y up to z up.
+  if (reads_here()) {
+    return read_mesh(path, submesh);
   }
-  return flatten_scene(scene, settings);
+  std::string format = ending_of(path).substr(1);
+  std::ranges::transform(format, format.begin(), [](char c) { return static_cast<char>(std::toupper(c)); });
+  return read_apart<FlattenedScene>({path, format}, ReaderTask::kMesh, path.string(), submesh);
 }
 
 void move_to_origin(Mesh& mesh) {
@@ -130,6 +125,9 @@ Mesh load_mesh_file(const std::filesystem::path& path, const Submesh& submesh, c
                             path.extension().string(), mesh_file_endings()));
   }
 
+  if (is_stream(path)) {
+    throw Error(path.string() + ": is not a regular file");
+  }
   try {
     return load_and_clean(path, submesh, log);
   } catch (const std::bad_alloc&) {

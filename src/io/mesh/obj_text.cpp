@@ -4,8 +4,6 @@
 // indices beyond the last vertex (with a warning) or before the first one (without), loses the name of a material whose
 // library is missing, and refuses lines continued by a backslash. See docs/design/libraries.md.
 
-#include "io/mesh/obj_text.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,6 +12,7 @@
 
 #include "insonify/error.h"
 #include "insonify/printable.h"
+#include "io/mesh/mesh_checks.h"
 
 namespace insonify {
 namespace {

@@ -10,7 +10,9 @@
 #include <memory>
 
 #include "insonify/error.h"
+#include "insonify/recorded_pings.h"
 #include "io/file/input_file.h"
+#include "io/file/reader_process.h"
 
 namespace insonify {
 namespace {
@@ -41,24 +43,24 @@ std::string without_colour_space(std::string_view file) {
 
 }  // namespace
 
-PngReader::PngReader(const std::filesystem::path& path) : name_(path.string()) {
-  read(read_text(path));
-}
+PngReader::PngReader(const std::filesystem::path& path) : PngReader(path.string(), read_text(path)) {}
 
 PngReader::PngReader(std::string name, std::span<const char> bytes) : name_(std::move(name)) {
-  read({bytes.data(), bytes.size()});
+  const std::string_view file(bytes.data(), bytes.size());
+  png_ = reads_here() ? decode_png(name_, file)
+                      : read_apart<DecodedPng>({name_, "PNG"}, ReaderTask::kPicture, name_, file);
 }
 
 int PngReader::grey(std::size_t column, std::size_t row, std::string_view purpose) const {
   const int level = value(column, row, 0);
-  const int colors = channels_ - (has_alpha_ ? 1 : 0);
+  const int colors = png_.channels - (png_.has_alpha ? 1 : 0);
   for (int channel = 1; channel < colors; ++channel) {
     if (value(column, row, channel) != level) {
       throw Error(fmt::format("{}: the pixel in column {}, row {} is coloured; {} a grey picture", name_, column, row,
                               purpose));
     }
   }
-  if (has_alpha_ && value(column, row, colors) != full_scale()) {
+  if (png_.has_alpha && value(column, row, colors) != full_scale()) {
     throw Error(fmt::format("{}: the pixel in column {}, row {} is transparent; {} an opaque picture", name_, column,
                             row, purpose));
   }
@@ -67,32 +69,46 @@ int PngReader::grey(std::size_t column, std::size_t row, std::string_view purpos
 
 int PngReader::value(std::size_t column, std::size_t row, int channel) const {
   const std::size_t at =
-      (row * width_ + column) * static_cast<std::size_t>(channels_) + static_cast<std::size_t>(channel);
-  return is_deep_ ? pixels_[at] : reinterpret_cast<const std::uint8_t*>(pixels_.data())[at];
+      (row * png_.width + column) * static_cast<std::size_t>(png_.channels) + static_cast<std::size_t>(channel);
+  return png_.is_deep ? png_.pixels[at] : reinterpret_cast<const std::uint8_t*>(png_.pixels.data())[at];
 }
 
-void PngReader::read(std::string_view file) {
+DecodedPng decode_png(const std::string& name, std::string_view file) {
   const std::string bytes = without_colour_space(file);
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
   const std::unique_ptr<png_image, decltype(&png_image_free)> freed(&image, png_image_free);
   const auto check = [&](int good) {
     if (good == 0 || PNG_IMAGE_FAILED(image)) {
-      throw Error(fmt::format("{}: cannot be read: {}", name_, foreign_reason(std::data(image.message))));
+      throw Error(fmt::format("{}: cannot be read: {}", name, foreign_reason(std::data(image.message))));
     }
   };
   check(png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()));
   image.format &= ~PNG_FORMAT_FLAG_COLORMAP;
-  width_ = image.width;
-  height_ = image.height;
-  channels_ = static_cast<int>(PNG_IMAGE_PIXEL_CHANNELS(image.format));
-  has_alpha_ = (image.format & PNG_FORMAT_FLAG_ALPHA) != 0;
-  is_deep_ = (image.format & PNG_FORMAT_FLAG_LINEAR) != 0;
-  pixels_.resize((PNG_IMAGE_SIZE(image) + 1) / 2);
-  check(png_image_finish_read(&image, nullptr, pixels_.data(), 0, nullptr));
+  DecodedPng png;
+  png.width = image.width;
+  png.height = image.height;
+  png.channels = static_cast<int>(PNG_IMAGE_PIXEL_CHANNELS(image.format));
+  png.has_alpha = (image.format & PNG_FORMAT_FLAG_ALPHA) != 0;
+  png.is_deep = (image.format & PNG_FORMAT_FLAG_LINEAR) != 0;
+  png.pixels.resize((PNG_IMAGE_SIZE(image) + 1) / 2);
+  check(png_image_finish_read(&image, nullptr, png.pixels.data(), 0, nullptr));
   if (!bytes.ends_with(kEnd)) {  // libpng stops after the last pixel.
-    throw Error(name_ + ": cannot be read: the file ends before its IEND");
+    throw Error(name + ": cannot be read: the file ends before its IEND");
   }
+  return png;
+}
+
+GreyPicture load_grey_picture(const std::filesystem::path& path) {
+  const PngReader png(path);
+  GreyPicture picture{path.string(), static_cast<int>(png.width()), static_cast<int>(png.height()), {}};
+  picture.values.reserve(png.width() * png.height());
+  for (std::size_t row = 0; row < png.height(); ++row) {
+    for (std::size_t column = 0; column < png.width(); ++column) {
+      picture.values.push_back(static_cast<double>(png.grey(column, row, "a comparison needs")) / png.full_scale());
+    }
+  }
+  return picture;
 }
 
 }  // namespace insonify

@@ -8,12 +8,35 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
+#include <type_traits>
 #include <vector>
 
 namespace insonify {
 
-/// A decoded PNG file in memory: 8 or 16 bits per channel, palettes and fewer bits widened to 8. Gamma values and
-/// colour profiles in the file are ignored.
+/// The pixels of a PNG file: 8 or 16 bits per channel, palettes and fewer bits widened to 8. Gamma values and colour
+/// profiles in the file are ignored.
+struct DecodedPng {
+  std::uint64_t width = 0, height = 0;
+  int channels = 0;  ///< 1 (grey) or 3 (red, green, blue), plus 1 for alpha.
+  bool has_alpha = false, is_deep = false;
+  std::vector<std::uint16_t> pixels;  ///< Rows x columns x channels; holds bytes instead if not is_deep.
+};
+template <typename Png>
+requires(std::is_same_v<std::remove_const_t<Png>, DecodedPng>) [[nodiscard]] auto members(Png& png) {
+  return std::tie(png.width, png.height, png.channels, png.has_alpha, png.is_deep, png.pixels);
+}
+[[nodiscard]] inline bool fits(const DecodedPng& png) {
+  constexpr std::uint64_t kMost = std::uint64_t{1} << 30;  // In a row or a column.
+  return png.channels >= 1 && png.channels <= 4 && png.width <= kMost && png.height <= kMost &&
+         png.width * png.channels * (png.is_deep ? 2 : 1) * png.height <= png.pixels.size() * sizeof(std::uint16_t);
+}
+
+/// Decodes a file that is in memory. By libpng.
+/// @param name  The file's name in messages.
+[[nodiscard]] DecodedPng decode_png(const std::string& name, std::string_view file);
+
+/// A PNG file, decoded by a reader process unless reads_here().
 class PngReader {
  public:
   /// @throws Error with the path for a file that does not exist or is not a complete PNG.
@@ -24,11 +47,11 @@ class PngReader {
 
   /// The file name in messages.
   [[nodiscard]] const std::string& name() const { return name_; }
-  [[nodiscard]] std::size_t width() const { return width_; }
-  [[nodiscard]] std::size_t height() const { return height_; }
+  [[nodiscard]] std::size_t width() const { return png_.width; }
+  [[nodiscard]] std::size_t height() const { return png_.height; }
   /// Whether the file stores red, green and blue. They may be equal in every pixel.
-  [[nodiscard]] bool has_colours() const { return channels_ - (has_alpha_ ? 1 : 0) == 3; }
-  [[nodiscard]] int full_scale() const { return is_deep_ ? 65535 : 255; }
+  [[nodiscard]] bool has_colours() const { return png_.channels - (png_.has_alpha ? 1 : 0) == 3; }
+  [[nodiscard]] int full_scale() const { return png_.is_deep ? 65535 : 255; }
 
   /// Grey level of a pixel, 0 to full_scale(). The file may store grey as equal red, green and blue.
   /// @param purpose  Subject of the error message: "heights need".
@@ -42,13 +65,9 @@ class PngReader {
 
  private:
   [[nodiscard]] int value(std::size_t column, std::size_t row, int channel) const;
-  void read(std::string_view file);
 
   std::string name_;
-  std::size_t width_ = 0, height_ = 0;
-  int channels_ = 0;  // 1 (grey) or 3 (red, green, blue), plus 1 for alpha.
-  bool has_alpha_ = false, is_deep_ = false;
-  std::vector<std::uint16_t> pixels_;  // Rows x columns x channels; holds bytes instead if not is_deep_.
+  DecodedPng png_;
 };
 
 }  // namespace insonify

@@ -10,13 +10,102 @@
 #include "insonify/printable.h"
 #include "insonify/recording_info.h"
 #include "io/file/input_file.h"
+#include "io/file/reader_process.h"
 #include "io/mcap/mcap_bytes.h"
 #include "io/mcap/mcap_tables.h"
-#include "io/recording/hdf5_pings.h"
 #include "io/recording/hdf5_tables.h"
 
 namespace insonify {
 namespace {
+
+// Hdf5Tables in a process of its own, which lives as long as this.
+class ApartTables : public RecordedTables {
+ public:
+  explicit ApartTables(const std::filesystem::path& path);
+
+  [[nodiscard]] nlohmann::json settings() const override;
+  [[nodiscard]] std::vector<std::byte> row(const RecordedTable& table, std::uint64_t ping) const override;
+  void read(const RecordedTable& table, NumberType type, std::span<const TableSlice> slices,
+            std::span<std::byte> bytes) const override;
+
+ private:
+  void ask(ReaderTask task, const std::function<void(const nlohmann::json&)>& take) const;
+
+  StrangersFile file_;
+  mutable ReaderProcess reader_;
+};
+
+ApartTables::ApartTables(const std::filesystem::path& path) : RecordedTables(path), file_{path, "HDF5"} {
+  ask(ReaderTask::kRecording, [&](const nlohmann::json& summary) {
+    summary.at("tables").get_to(tables_);
+    summary.at("names").get_to(names_);
+    summary.at("ping_count").get_to(ping_count_);
+    summary.at("attributes").get_to(attributes_);
+    if (summary.at("state").is_number_unsigned()) {
+      state_ = summary.at("state").get<std::uint64_t>();
+    }
+    for (const RecordedTable& table : tables_) {  // "<f4" with 4 bytes a value ...
+      require_whole(table.type.size() == 3 && table.value_bytes >= 1 && table.value_bytes <= sizeof(double) &&
+                    table.value_bytes == static_cast<std::size_t>(table.type[2] - '0'));
+    }
+  });
+}
+
+void ApartTables::ask(ReaderTask task, const std::function<void(const nlohmann::json&)>& take) const {
+  constexpr int kDeepest = 16;  // What is deeper is left out: to copy it would overflow the stack.
+  reader_.ask(
+      file_, task, [&](SharedBytes& to) { put(to, path_.string()); },
+      [&](SharedBytes& from) {
+        std::string text;
+        get(from, text);
+        try {
+          take(nlohmann::json::parse(text, [](int depth, auto, const auto&) { return depth <= kDeepest; }));
+        } catch (const nlohmann::json::exception&) {
+          throw BrokenAnswer();
+        }
+      });
+}
+
+nlohmann::json ApartTables::settings() const {
+  nlohmann::json settings;
+  ask(ReaderTask::kSettings, [&](const nlohmann::json& answer) { settings = answer; });
+  return settings;
+}
+
+std::vector<std::byte> ApartTables::row(const RecordedTable& table, std::uint64_t ping) const {
+  std::vector<std::byte> bytes;
+  reader_.ask(
+      file_, ReaderTask::kRow,
+      [&](SharedBytes& to) {
+        put(to, path_.string());
+        put(to, table.name);
+        put(to, ping);
+      },
+      [&](SharedBytes& from) {
+        get(from, bytes);
+        require_whole(bytes.size() == table.row_bytes());
+      });
+  return bytes;
+}
+
+void ApartTables::read(const RecordedTable& table, NumberType type, std::span<const TableSlice> slices,
+                       std::span<std::byte> bytes) const {
+  reader_.ask(
+      file_, ReaderTask::kBlock,
+      [&](SharedBytes& to) {
+        put(to, path_.string());
+        put(to, table.name);
+        put(to, type);
+        put(to, slices);
+        put(to, std::uint64_t{bytes.size()});
+      },
+      [&](SharedBytes& from) {
+        std::uint64_t count = 0;
+        get(from, count);
+        require_whole(count == bytes.size());
+        from.get_bytes(bytes.data(), count);
+      });
+}
 
 // An HDF5 recording holds one sonar.
 void check_sonar(const std::filesystem::path& path, const std::string& wanted, const std::string& found) {
@@ -39,24 +128,22 @@ bool is_mcap(const std::filesystem::path& path) {
   return start == kMcapMagic;
 }
 
+std::unique_ptr<RecordedTables> open_hdf5(const std::filesystem::path& path) {
+  if (reads_here()) {
+    return std::make_unique<Hdf5Tables>(path);
+  }
+  check_input_file(path);
+  return std::make_unique<ApartTables>(path);
+}
+
 std::unique_ptr<RecordedTables> open_tables(const std::filesystem::path& path, const std::string& sonar) {
   check_input_file(path);
   if (is_mcap(path)) {
     return std::make_unique<McapTables>(path, sonar);
   }
-  auto tables = std::make_unique<Hdf5Tables>(path);
+  auto tables = open_hdf5(path);
   check_sonar(path, sonar, tables->text("sonar"));
   return tables;
-}
-
-std::unique_ptr<PingReader> open_pings(const std::filesystem::path& path, const std::string& sonar) {
-  check_input_file(path);
-  if (is_mcap(path)) {
-    return std::make_unique<McapPings>(path, sonar);
-  }
-  auto pings = std::make_unique<Hdf5Pings>(path);
-  check_sonar(path, sonar, pings->sonar());
-  return pings;
 }
 
 std::vector<std::unique_ptr<RecordedTables>> open_all_tables(const std::filesystem::path& path,

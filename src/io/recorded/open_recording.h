@@ -4,16 +4,17 @@
 
 #include <memory>
 
-#include "io/file/ping_reader.h"
 #include "io/file/recorded_tables.h"
 
 namespace insonify {
+
+/// The tables of a file that is not MCAP, read by a process of its own unless reads_here().
+[[nodiscard]] std::unique_ptr<RecordedTables> open_hdf5(const std::filesystem::path& path);
 
 /// @param sonar  Name; "" for the only one.
 /// @throws Error with the path for a file that is not a recording, and for an unknown sonar.
 [[nodiscard]] std::unique_ptr<RecordedTables> open_tables(const std::filesystem::path& path,
                                                           const std::string& sonar = "");
-[[nodiscard]] std::unique_ptr<PingReader> open_pings(const std::filesystem::path& path, const std::string& sonar = "");
 
 /// The tables of one sonar, or of all in the file.
 /// @param sonar  "" for all.

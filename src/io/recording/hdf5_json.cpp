@@ -7,20 +7,27 @@
 #include <functional>
 #include <numeric>
 
-#include "io/file/hdf5_heap.h"
-#include "io/file/hdf5_type.h"
-
 namespace insonify {
 namespace {
 
 constexpr hsize_t kMostValues = 1'000'000;  // Most values of a list that is read as a whole.
 
-// Texts of variable length, read by `read(type, buffer)`.
+// Texts of fixed or variable length, read by `read(type, buffer)`.
 std::vector<std::string> read_texts(hid_t type, const H5Handle& space, hsize_t count,
                                     const std::function<void(hid_t, void*)>& read) {
+  std::vector<std::string> texts;
+  if (H5Tis_variable_str(type) <= 0) {
+    const std::size_t length = H5Tget_size(type);
+    std::string all(length * count, '\0');
+    read(type, all.data());
+    for (std::size_t start = 0; start < all.size(); start += length) {
+      const std::string text = all.substr(start, length);
+      texts.push_back(text.substr(0, text.find('\0')));
+    }
+    return texts;
+  }
   std::vector<char*> pointers(count, nullptr);
   read(type, pointers.data());
-  std::vector<std::string> texts;
   for (const char* const pointer : pointers) {
     texts.emplace_back(pointer != nullptr ? pointer : "");
   }
@@ -45,7 +52,7 @@ nlohmann::json json_of(hid_t type_id, const H5Handle& space, const std::function
   const hsize_t count = std::accumulate(shape.begin(), shape.end(), hsize_t{1}, std::multiplies<>());
   std::vector<nlohmann::json> values;
   const H5T_class_t kind = H5Tget_class(type_id);
-  if (kind == H5T_STRING && H5Tis_variable_str(type_id) > 0) {
+  if (kind == H5T_STRING) {
     for (std::string& text : read_texts(type_id, space, count, read)) {
       values.emplace_back(std::move(text));
     }
@@ -88,6 +95,16 @@ nlohmann::json json_of(hid_t type_id, const H5Handle& space, const std::function
   return rows;
 }
 
+std::vector<std::string> attribute_names(hid_t object, const std::filesystem::path& path, const std::string& doing) {
+  std::vector<std::string> names;
+  const auto add = [](hid_t, const char* name, const H5A_info_t*, void* into) -> herr_t {
+    static_cast<std::vector<std::string>*>(into)->emplace_back(name);
+    return 0;
+  };
+  h5_check(H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names), path, doing);
+  return names;
+}
+
 }  // namespace
 
 std::vector<hsize_t> hdf5_shape(hid_t space) {
@@ -110,7 +127,7 @@ bool product_is_at_most(const std::vector<hsize_t>& shape, hsize_t most) {
 nlohmann::json hdf5_attributes_json(hid_t object, const std::filesystem::path& path, const std::string& owner) {
   const std::string doing = "read the attributes of " + owner;
   nlohmann::json found = nlohmann::json::object();
-  for (const std::string& name : checked_attributes(object, path, owner)) {
+  for (const std::string& name : attribute_names(object, path, doing)) {
     const H5Handle attribute = h5_own(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, path, doing);
     const H5Handle type = h5_own(H5Aget_type(attribute.get()), H5Tclose, path, doing);
     const H5Handle space = h5_own(H5Aget_space(attribute.get()), H5Sclose, path, doing);
@@ -121,12 +138,8 @@ nlohmann::json hdf5_attributes_json(hid_t object, const std::filesystem::path& p
   return found;
 }
 
-nlohmann::json hdf5_dataset_json(hid_t file, hid_t dataset, const std::filesystem::path& path,
-                                 const std::string& name) {
+nlohmann::json hdf5_dataset_json(hid_t dataset, const std::filesystem::path& path, const std::string& name) {
   const H5Handle type = h5_own(H5Dget_type(dataset), H5Tclose, path, "read " + name);
-  if (H5Tget_class(type.get()) == H5T_STRING && H5Tis_variable_str(type.get()) > 0) {
-    check_heap_texts(file, dataset, path, name);
-  }
   const H5Handle space = h5_own(H5Dget_space(dataset), H5Sclose, path, "read " + name);
   return json_of(type.get(), space, [&](hid_t memory, void* buffer) {
     h5_check(H5Dread(dataset, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer), path, "read " + name);

@@ -27,7 +27,7 @@ namespace insonify {
 /// The values of a dataset, of the types and sizes that attributes may have; null for others.
 /// @param name  Name of the dataset, for messages.
 /// @throws Error with the path where they cannot be read.
-[[nodiscard]] nlohmann::json hdf5_dataset_json(hid_t file, hid_t dataset, const std::filesystem::path& path,
+[[nodiscard]] nlohmann::json hdf5_dataset_json(hid_t dataset, const std::filesystem::path& path,
                                                const std::string& name);
 
 }  // namespace insonify

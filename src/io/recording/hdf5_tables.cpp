@@ -9,7 +9,6 @@
 #include <sstream>
 
 #include "insonify/printable.h"
-#include "io/file/hdf5_type.h"
 #include "io/file/input_file.h"
 #include "io/recording/hdf5_json.h"
 
@@ -61,8 +60,15 @@ herr_t add_name(hid_t, const char* name, const H5L_info_t*, void* names) {
 
 }  // namespace
 
+nlohmann::json Hdf5Tables::summary() const {
+  return {{"tables", tables_},
+          {"names", names_},
+          {"ping_count", ping_count_},
+          {"attributes", attributes_},
+          {"state", state_ ? nlohmann::json(*state_) : nlohmann::json()}};
+}
+
 Hdf5Tables::Hdf5Tables(const std::filesystem::path& path) : RecordedTables(path) {
-  const H5Quiet quiet;
   check_input_file(path);
   file_ = h5_open_recording(path);
   if (h5_check(H5Lexists(file_.get(), "intensity", H5P_DEFAULT), path, "find intensity") == 0) {
@@ -71,7 +77,7 @@ Hdf5Tables::Hdf5Tables(const std::filesystem::path& path) : RecordedTables(path)
   attributes_ = hdf5_attributes_json(file_.get(), path, "the file");
   if (const auto state = attributes_.find(kStateAttribute); state != attributes_.end()) {
     if (state->is_number_unsigned()) {
-      state_ = static_cast<GrowingState>(state->get<std::uint64_t>());
+      state_ = state->get<std::uint64_t>();
     }
     attributes_.erase(state);
   }
@@ -100,7 +106,6 @@ void Hdf5Tables::add_table(const std::string& name) {
   if (name == "." || name == "..") {
     throw Error(fmt::format("{}: is not a recording: it has a dataset called {}", path_.string(), name));
   }
-  check_object(file_.get(), name, path_);
   const H5Handle object =
       h5_own(H5Oopen(file_.get(), name.c_str(), H5P_DEFAULT), H5Oclose, path_, "open " + printable(name));
   if (H5Iget_type(object.get()) != H5I_DATASET) {
@@ -112,7 +117,7 @@ void Hdf5Tables::add_table(const std::string& name) {
   const H5Handle space = h5_own(H5Dget_space(dataset.get()), H5Sclose, path_, doing);
   std::vector<hsize_t> shape = hdf5_shape(space.get());
   if (H5Tget_class(stored.get()) == H5T_STRING) {
-    const nlohmann::json texts = hdf5_dataset_json(file_.get(), dataset.get(), path_, name);
+    const nlohmann::json texts = hdf5_dataset_json(dataset.get(), path_, name);
     if (texts.is_array()) {
       names_.push_back({name, texts.get<std::vector<std::string>>()});
     }
@@ -133,7 +138,8 @@ void Hdf5Tables::add_table(const std::string& name) {
     }
   }
   read_axes(dataset.get(), table);
-  table.by_ping = !shape.empty() && (name == "intensity" || (!table.axes.empty() && table.axes.front() == "ping"));
+  table.by_ping = !shape.empty() &&
+                  (name == "intensity" || name == "counts" || (!table.axes.empty() && table.axes.front() == "ping"));
   if (table.by_ping) {
     ping_count_ = std::min<std::uint64_t>(ping_count_, shape.front());
     shape.erase(shape.begin());
@@ -150,7 +156,6 @@ void Hdf5Tables::add_table(const std::string& name) {
 }
 
 nlohmann::json Hdf5Tables::settings() const {
-  const H5Quiet quiet;
   nlohmann::json found = nlohmann::json::object();
   if (h5_check(H5Lexists(file_.get(), "settings", H5P_DEFAULT), path_, "find settings") == 0) {
     return found;
@@ -159,19 +164,16 @@ nlohmann::json Hdf5Tables::settings() const {
   std::vector<std::string> names;
   h5_check(H5Lvisit(group.get(), H5_INDEX_NAME, H5_ITER_INC, add_name, &names), path_, "list settings");
   for (const std::string& name : names) {
-    check_object(file_.get(), "settings/" + name, path_);
     const H5Handle object =
         h5_own(H5Oopen(group.get(), name.c_str(), H5P_DEFAULT), H5Oclose, path_, "open " + printable(name));
     if (H5Iget_type(object.get()) == H5I_DATASET) {
-      found[nlohmann::json::json_pointer("/" + name)] =
-          hdf5_dataset_json(file_.get(), object.get(), path_, "settings/" + name);
+      found[nlohmann::json::json_pointer("/" + name)] = hdf5_dataset_json(object.get(), path_, "settings/" + name);
     }
   }
   return found;
 }
 
 std::vector<std::byte> Hdf5Tables::row(const RecordedTable& table, std::uint64_t ping) const {
-  const H5Quiet quiet;
   const std::string doing = "read " + table.name;
   const H5Handle dataset = h5_own(H5Dopen2(file_.get(), table.name.c_str(), H5P_DEFAULT), H5Dclose, path_, doing);
   const H5Handle stored = h5_own(H5Dget_type(dataset.get()), H5Tclose, path_, doing);
@@ -195,7 +197,6 @@ std::vector<std::byte> Hdf5Tables::row(const RecordedTable& table, std::uint64_t
 
 void Hdf5Tables::read(const RecordedTable& table, NumberType type, std::span<const TableSlice> slices,
                       std::span<std::byte> bytes) const {
-  const H5Quiet quiet;
   const std::string doing = "read " + table.name;
   std::vector<hsize_t> start, count, step;
   for (const TableSlice& slice : slices) {

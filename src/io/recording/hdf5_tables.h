@@ -18,16 +18,14 @@ class Hdf5Tables : public RecordedTables {
   void read(const RecordedTable& table, NumberType type, std::span<const TableSlice> slices,
             std::span<std::byte> bytes) const override;
 
-  /// State of the file, see GrowingState; absent in files of old versions. Not in attributes(), since it does not
-  /// describe the run.
-  [[nodiscard]] std::optional<GrowingState> state() const { return state_; }
+  /// All that is known without reading a table, for ApartTables.
+  [[nodiscard]] nlohmann::json summary() const;
 
  private:
   void add_table(const std::string& name);
   void read_axes(hid_t dataset, RecordedTable& table) const;
 
   H5Handle file_;
-  std::optional<GrowingState> state_;
 };
 
 }  // namespace insonify

@@ -21,7 +21,6 @@ namespace insonify::damaged_recording_test {
 namespace {
 
 using testing::AnyOf;
-using testing::HasSubstr;
 using testing::StartsWith;
 
 const std::string kNone = "no error";  // Answer of message_of() without an error.
@@ -118,101 +117,66 @@ TEST_F(DamagedRecordingTest, AWholeRecordingIsRead) {
   EXPECT_EQ(read_damaged(bytes), kNone);
 }
 
-TEST_F(DamagedRecordingTest, TextsOfDatasetsMustBeWhereTheyPoint) {
-  const std::size_t names = reference_to("wreck::hull");
-  ASSERT_NE(names, std::string::npos);
-  const std::string damaged = "b.h5: instance_names is damaged: ";
-  EXPECT_EQ(read_damaged(changed<std::uint32_t>(names, 100'000)), damaged + "its text is not in the heap of texts");
-  EXPECT_EQ(read_damaged(changed<std::uint64_t>(names + 4, bytes.size() * 3)),
-            damaged + "it points past the end of the file");
-  EXPECT_EQ(read_damaged(changed<std::uint64_t>(names + 4, ~std::uint64_t{7})),
-            damaged + "it points past the end of the file");
-  EXPECT_EQ(read_damaged(changed<std::uint64_t>(names + 4, 8)), damaged + "it points to no heap of texts");
-  EXPECT_EQ(read_damaged(changed<std::uint32_t>(names + 12, 60'000)), damaged + "its text is not in the heap of texts");
-  EXPECT_EQ(read_damaged(changed<std::uint32_t>(names + 12, 1'000'000)),
-            damaged + "its text is not in the heap of texts");
+// Lengths, addresses and numbers of texts that HDF5 follows beyond its memory.
+TEST_F(DamagedRecordingTest, TextsThatPointElsewhereEndAtMostTheReader) {
+  for (const char* text : {"wreck::hull", "calibrated", "ping bin beam"}) {
+    const std::size_t place = reference_to(text);
+    ASSERT_NE(place, std::string::npos);
+    for (const std::string& damaged :
+         {changed<std::uint32_t>(place, 100'000), changed<std::uint64_t>(place + 4, bytes.size() * 3),
+          changed<std::uint64_t>(place + 4, ~std::uint64_t{7}), changed<std::uint64_t>(place + 4, 8),
+          changed<std::uint64_t>(place + 4, std::uint64_t{1} << 40), changed<std::uint32_t>(place + 12, 60'000),
+          changed<std::uint32_t>(place + 12, 1'000'000)}) {
+      EXPECT_THAT(read_damaged(damaged), AnyOf(kNone, StartsWith("b.h5: "))) << text;
+      EXPECT_THAT(read_tables(damaged), AnyOf(kNone, StartsWith("b.h5: "))) << text;
+    }
+  }
 }
 
-TEST_F(DamagedRecordingTest, StoredTablesCheckTheirTextsThemselves) {
-  EXPECT_EQ(read_tables(bytes), kNone);
-  const std::size_t names = reference_to("wreck::hull");
-  EXPECT_EQ(read_tables(changed<std::uint32_t>(names + 12, 60'000)),
-            "b.h5: instance_names is damaged: its text is not in the heap of texts");
-  const std::size_t axes = reference_to("ping bin beam");
-  ASSERT_NE(axes, std::string::npos);
-  EXPECT_THAT(read_tables(changed<std::uint32_t>(axes, 100'000)),
-              HasSubstr(" is damaged: its text is not in the heap of texts"));
-}
-
-TEST_F(DamagedRecordingTest, TextsOfAttributesMustBeWhereTheyPoint) {
-  const std::size_t model = reference_to("calibrated");
-  ASSERT_NE(model, std::string::npos);
-  const std::string damaged = "b.h5: the file is damaged: ";
-  EXPECT_EQ(read_damaged(changed<std::uint32_t>(model, 3)), damaged + "its text is not in the heap of texts");
-  EXPECT_EQ(read_damaged(changed<std::uint64_t>(model + 4, std::uint64_t{1} << 40)),
-            damaged + "it points past the end of the file");
-  EXPECT_EQ(read_damaged(changed<std::uint32_t>(model + 12, 30'000)), damaged + "its text is not in the heap of texts");
-}
-
-TEST_F(DamagedRecordingTest, HeapsOfTextsMustBeWhole) {
+TEST_F(DamagedRecordingTest, BrokenHeapsOfTextsEndAtMostTheReader) {
   const std::size_t heap = bytes.find("GCOL\1");
   ASSERT_NE(heap, std::string::npos);
-  EXPECT_THAT(read_damaged(changed<std::uint64_t>(heap + 8, 1 << 20)),
-              HasSubstr(" is damaged: it points past the end of the file"));
-  EXPECT_THAT(read_damaged(changed<std::uint64_t>(heap + 8, 3)),
-              HasSubstr(" is damaged: it points to no heap of texts"));
-  EXPECT_THAT(read_damaged(changed<std::uint64_t>(heap + 16 + 8, 1 << 20)),
-              HasSubstr(" is damaged: its heap of texts has an object larger than itself"));
-  EXPECT_THAT(read_damaged(changed<std::uint64_t>(heap + 16 + 8, ~std::uint64_t{0})),
-              HasSubstr(" is damaged: its heap of texts has an object larger than itself"));
+  for (const std::string& damaged :
+       {changed<std::uint64_t>(heap + 8, 1 << 20), changed<std::uint64_t>(heap + 8, 3),
+        changed<std::uint64_t>(heap + 16 + 8, 1 << 20), changed<std::uint64_t>(heap + 16 + 8, ~std::uint64_t{0})}) {
+    EXPECT_THAT(read_damaged(damaged), StartsWith("b.h5: "));
+  }
 }
 
-TEST_F(DamagedRecordingTest, CharactersOfTextsMustHaveOneByte) {
-  // A list of variable length (class 9, version 1), text, UTF-8, 16 bytes; then the type of its characters, whose size
-  // follows after 4 bytes.
-  const std::string text("\x19\x01\x01\0\x10\0\0\0", 8);
-  int found = 0, refused = 0;
-  for (std::size_t type = bytes.find(text); type != std::string::npos; type = bytes.find(text, type + 1)) {
-    ASSERT_EQ(number<std::uint32_t>(type + 12), 1);
-    if (found++ % 5 == 0) {
-      // Nothing is said of a note that is not read.
-      const std::string message = read_damaged(changed<std::uint32_t>(type + 12, 48));
-      EXPECT_THAT(message, AnyOf(kNone, HasSubstr(" is damaged: its characters do not have 1 byte"))) << type;
-      EXPECT_THAT(read_damaged(changed<std::uint32_t>(type + 12, 0x7fffffff)),
-                  AnyOf(kNone, HasSubstr(" is damaged: a number has more than 64 bytes")))
-          << type;
-      refused += message == kNone ? 0 : 1;
+// HDF5 gets memory by the size of a character, and copies the values of an enumeration by the size of one type into
+// memory for the other.
+TEST_F(DamagedRecordingTest, TypesThatContradictThemselvesEndAtMostTheReader) {
+  // A list of variable length (class 9, version 1), text, UTF-8, 16 bytes; and a truth value: an enumeration (class 8,
+  // version 1) of 2 words and 1 byte. The type of their characters or numbers follows, its size after 4 bytes.
+  for (const std::string& type :
+       {std::string("\x19\x01\x01\0\x10\0\0\0\x10", 9), std::string("\x18\x02\0\0\x01\0\0\0\x10", 9)}) {
+    int found = 0;
+    for (std::size_t place = bytes.find(type); place != std::string::npos; place = bytes.find(type, place + 1)) {
+      if (found++ % 20 == 0) {
+        for (const std::string& damaged :
+             {changed<std::uint32_t>(place + 12, 48), changed<std::uint32_t>(place + 12, 0x7fffffff),
+              changed<std::uint32_t>(place + 4, 0x10000), changed<std::uint16_t>(place + 1, 60'000)}) {
+          EXPECT_THAT(read_damaged(damaged), AnyOf(kNone, StartsWith("b.h5: "))) << place;
+        }
+      }
     }
+    EXPECT_GT(found, 3);
   }
-  EXPECT_GT(refused, 5);
 }
 
-// HDF5 copies the values of an enumeration by the size of one type into memory for the other: 3 of 3700 files with
-// random damage ended it so.
-TEST_F(DamagedRecordingTest, WordsMustBeNumbersOfTheirType) {
-  // A truth value: an enumeration (class 8, version 1) of 2 words and 1 byte, then the type of its numbers, whose size
-  // follows after 4 bytes.
-  const std::string truth("\x18\x02\0\0\x01\0\0\0\x10", 9);
-  int found = 0;
-  for (std::size_t type = bytes.find(truth); type != std::string::npos; type = bytes.find(truth, type + 1), ++found) {
-    ASSERT_EQ(number<std::uint32_t>(type + 12), 1);
-    if (found % 5 != 0) {
-      continue;
-    }
-    const std::string message = "is damaged: its words are not numbers of their type";
-    EXPECT_THAT(read_damaged(changed<std::uint32_t>(type + 12, 32)), HasSubstr(message)) << type;
-    EXPECT_THAT(read_damaged(changed<std::uint32_t>(type + 4, 0x10000)), HasSubstr(message)) << type;
-    EXPECT_THAT(read_damaged(changed<std::uint8_t>(type + 8, 0x13)), HasSubstr(message)) << type;  // Texts.
-    EXPECT_THAT(read_damaged(changed<std::uint16_t>(type + 1, 60'000)),
-                testing::AnyOf(HasSubstr("is damaged: its type is longer than its message"),
-                               HasSubstr("is damaged: a name in its type does not end")))
-        << type;
+// Addresses in the superblock and in the first object's header and its index.
+TEST_F(DamagedRecordingTest, AddressesOfAllOnesEndAtMostTheReader) {
+  int crashes = 0;
+  for (std::size_t place = 0; place < 512; place += 8) {
+    const std::string message = read_damaged(changed<std::uint64_t>(place, ~std::uint64_t{0}));
+    EXPECT_THAT(message, AnyOf(kNone, StartsWith("b.h5: "))) << place;
+    crashes += message == "b.h5: the reader of HDF5 files crashed (SIGSEGV)" ? 1 : 0;
   }
-  EXPECT_GT(found, 3);
+  EXPECT_GT(crashes, 0);  // Else the reader could be spared.
 }
 
 TEST_F(DamagedRecordingTest, RandomDamageIsAMessageOrNothing) {
-  constexpr int kSeeds = 300;
+  constexpr int kSeeds = 70;
   int refused = 0;
   for (int seed = 0; seed < kSeeds; ++seed) {
     std::mt19937 random(static_cast<std::uint32_t>(seed));

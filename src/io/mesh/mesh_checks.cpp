@@ -1,14 +1,19 @@
-// check_stl.cpp -- compares the size of a binary file with its count of triangles, and looks for the end of a text.
+// mesh_checks.cpp -- compares the size of a binary STL with its count of triangles, looks for the end of a text, and
+// looks up what instances in COLLADA name.
 
-#include "io/mesh/check_stl.h"
+#include "io/mesh/mesh_checks.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <map>
+#include <set>
 
 #include "insonify/error.h"
+#include "insonify/printable.h"
+#include "io/file/xml_file.h"
 
 namespace insonify {
 namespace {
@@ -29,6 +34,20 @@ void check_stl_end(std::ifstream& file, const std::filesystem::path& path) {
     throw Error(
         fmt::format("{}:{}: the text ends before its endsolid: a part of it is missing", path.string(), last_line));
   }
+}
+
+// The kinds of elements that an <instance_...> may name.
+const std::map<std::string, std::set<std::string>> kInstances = {{"instance_geometry", {"geometry"}},
+                                                                 {"instance_controller", {"controller", "geometry"}},
+                                                                 {"instance_node", {"node"}}};
+
+// Calls visit(element) for all elements.
+template <typename Visit>
+void each_element(pugi::xml_node root, const Visit& visit) {
+  root.find_node([&](pugi::xml_node node) {
+    visit(node);
+    return false;
+  });
 }
 
 }  // namespace
@@ -60,6 +79,28 @@ void check_stl(const std::filesystem::path& path) {
       fmt::format("{}: is no STL: a text would begin with \"solid\"; binary, with a triangle count of {}, "
                   "would take {} bytes, not {}",
                   path.string(), triangles, expected, size));
+}
+
+void check_dae(std::string_view text, const std::filesystem::path& path) {
+  const XmlFile xml(text, path.string());
+  std::set<std::string> named;  // By kind and reference: "node #ship".
+  each_element(xml.root(), [&](pugi::xml_node element) {
+    if (const pugi::xml_attribute id = element.attribute("id")) {
+      named.insert(fmt::format("{} #{}", element.name(), id.value()));
+    }
+  });
+  each_element(xml.root(), [&](pugi::xml_node element) {
+    const auto kinds = kInstances.find(element.name());
+    const std::string url = element.attribute("url").value();
+    if (kinds == kInstances.end() || !url.starts_with('#')) {
+      return;  // assimp refuses other references.
+    }
+    if (std::ranges::none_of(kinds->second,
+                             [&](const std::string& kind) { return named.contains(kind + " " + url); })) {
+      throw Error(fmt::format("{}<{}> names {}, which is not in this file", xml.where(element), element.name(),
+                              printable(url)));
+    }
+  });
 }
 
 }  // namespace insonify

@@ -1,0 +1,225 @@
+// strangers_files_test.cpp -- what crashes, hangs or swells over a file is a process of its own; here it is an Error.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <thread>
+
+#include "insonify/files.h"
+#include "insonify/recorded_pings.h"
+#include "io/file/hdf5.h"
+#include "io/file/reader_process.h"
+#include "io/mesh_texts.h"
+#include "support/message_of.h"
+#include "support/picture_files.h"
+#include "support/working_folder.h"
+
+namespace insonify::strangers_files_test {
+namespace {
+
+using testing::AnyOf;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+// Sets a variable of the environment for as long as it lives.
+class Setting {
+ public:
+  Setting(const char* name, const std::string& value) : name_(name) { setenv(name, value.c_str(), 1); }
+  ~Setting() { unsetenv(name_); }
+  Setting(const Setting&) = delete;
+  Setting& operator=(const Setting&) = delete;
+
+ private:
+  const char* name_;
+};
+
+// Children of this thread, also those that have ended and were not waited for.
+std::vector<pid_t> children() {
+  std::ifstream list("/proc/thread-self/children");
+  return {std::istream_iterator<pid_t>(list), {}};
+}
+
+std::size_t open_files() {
+  const std::filesystem::directory_iterator files("/proc/self/fd");
+  return static_cast<std::size_t>(std::distance(begin(files), end(files)));
+}
+
+std::string changed(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+// COLLADA files on which assimp 5.2 reads beyond its memory.
+TEST(StrangersFilesTest, ACrashIsOneMessage) {
+  const WorkingFolder folder;
+  const std::size_t files_before = open_files();
+  const std::string crash = "a.dae: the reader of DAE files crashed (SIGSEGV)";
+  for (const std::string& text : {changed(dae_text(), "stride=\"3\"", "stride=\"1000000\""),
+                                  changed(dae_text(), "source=\"#a\" count=", "source=\"#a\" offset=\"100000\" count="),
+                                  changed(dae_text(), "id=\"a\" count=\"12\"", "id=\"a\" count=\"0\"")}) {
+    folder.write("a.dae", text);
+    EXPECT_EQ(message_of([] { (void)load_mesh("a.dae"); }), crash);
+  }
+  EXPECT_THAT(children(), IsEmpty());
+  EXPECT_EQ(open_files(), files_before);
+}
+
+TEST(StrangersFilesTest, TheNextFileIsReadByANewProcess) {
+  const WorkingFolder folder;
+  folder.write("bad.dae", changed(dae_text(), "stride=\"3\"", "stride=\"1000000\""));
+  folder.write("good.dae", dae_text());
+  const std::size_t files_before = open_files();
+  {
+    const SharedReader reader;
+    EXPECT_EQ(load_mesh("good.dae").triangles.size(), 4U);
+    const std::vector<pid_t> first = children();
+    EXPECT_EQ(load_mesh("good.dae").triangles.size(), 4U);
+    EXPECT_EQ(children(), first);
+    EXPECT_EQ(message_of([] { (void)load_mesh("bad.dae"); }), "bad.dae: the reader of DAE files crashed (SIGSEGV)");
+    EXPECT_EQ(load_mesh("good.dae").triangles.size(), 4U);
+    EXPECT_EQ(children().size(), 1U);
+    EXPECT_NE(children(), first);
+  }
+  EXPECT_THAT(children(), IsEmpty());
+  EXPECT_EQ(open_files(), files_before);
+}
+
+TEST(StrangersFilesTest, MemoryHasALimit) {
+  const WorkingFolder folder;
+  const Setting limits("INSONIFY_READER_LIMITS", "0.5 60");
+  folder.write("a.dae", changed(dae_text(), "<p>0 2 1", "<p>0 1 x"));
+  EXPECT_EQ(message_of([] { (void)load_mesh("a.dae"); }), "a.dae: the reader of DAE files needed more than 0.5 GB");
+}
+
+// assimp looks each of many materials up in a list of them.
+TEST(StrangersFilesTest, ProcessorTimeHasALimit) {
+  const WorkingFolder folder;
+  std::string materials, obj = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (int i = 0; i < 60'000; ++i) {
+    materials += fmt::format("newmtl a_long_name_of_a_material_{}\n", i);
+    obj += fmt::format("usemtl a_long_name_of_a_material_{}\nf 1 2 3\n", i);
+  }
+  folder.write("a.mtl", materials);
+  folder.write("a.obj", obj);
+  const Setting limits("INSONIFY_READER_LIMITS", "4 1");
+  EXPECT_EQ(message_of([] { (void)load_mesh("a.obj"); }),
+            "a.obj: the reader of OBJ files took longer than 2 s of processor time");
+}
+
+TEST(StrangersFilesTest, LimitsMustBeNumbers) {
+  const WorkingFolder folder;
+  folder.write("a.obj", obj_text());
+  const Setting limits("INSONIFY_READER_LIMITS", "much");
+  EXPECT_EQ(message_of([] { (void)load_mesh("a.obj"); }),
+            "INSONIFY_READER_LIMITS = much must be two numbers: GB of memory and seconds of processor time");
+}
+
+TEST(StrangersFilesTest, EndlessFilesAreRefused) {
+  const WorkingFolder folder;
+  const Setting limits("INSONIFY_READER_LIMITS", "1 5");
+  for (const char* name : {"a.obj", "a.stl", "a.dae", "a.ply", "a.gltf", "a.glb", "a.png", "a.bag", "a.asc", "a.h5"}) {
+    std::filesystem::create_symlink("/dev/zero", name);
+    EXPECT_THAT(message_of([&] {
+                  if (std::string(name) == "a.h5") {
+                    (void)RecordedPings(name);
+                  } else {
+                    (void)load_scene(name);
+                  }
+                }),
+                StartsWith(std::string(name) + ": "));
+  }
+  EXPECT_THAT(message_of([] { (void)load_grey_picture("a.png"); }), StartsWith("a.png: "));
+}
+
+// Whatever happens to the process: programs that stand for it.
+TEST(StrangersFilesTest, TheEndOfTheProcessIsTold) {
+  const WorkingFolder folder;
+  folder.write("a.obj", obj_text());
+  const auto message_with = [&](const std::string& program) {
+    folder.write("reader", "#!/bin/sh\n" + program + "\n");
+    std::filesystem::permissions("reader", std::filesystem::perms::owner_all);
+    const Setting reader("INSONIFY_READER", (folder.path() / "reader").string());
+    return message_of([] { (void)load_mesh("a.obj"); });
+  };
+  EXPECT_EQ(message_with("kill -9 $$"), "a.obj: the reader of OBJ files was killed (SIGKILL)");
+  EXPECT_EQ(message_with("kill -ABRT $$"), "a.obj: the reader of OBJ files crashed (SIGABRT)");
+  EXPECT_EQ(message_with("exit 3"), "a.obj: the reader of OBJ files did not work: insonify-read ended with status 3");
+  const Setting reader("INSONIFY_READER", "/none/insonify-read");
+  EXPECT_EQ(message_of([] { (void)load_mesh("a.obj"); }),
+            "a.obj: the reader of OBJ files, /none/insonify-read, cannot be started: No such file or directory");
+  EXPECT_THAT(children(), IsEmpty());
+}
+
+// ---------------------------------------------------------------- Recordings
+
+TEST(StrangersRecordingTest, IsReadAgainAfterItsReaderWasKilled) {
+  const WorkingFolder folder;
+  write_intensity("a.h5", {2, 1, 3}, H5T_STD_U8LE, {0, 100, 255, 1, 2, 3});
+  const std::size_t files_before = open_files();
+  {
+    const RecordedPings pings("a.h5");
+    EXPECT_THAT(pings.intensity(1), ElementsAre(1, 2, 3));
+    ASSERT_EQ(children().size(), 1U);
+    kill(children().front(), SIGKILL);
+    EXPECT_EQ(message_of([&] { (void)pings.intensity(1); }), "a.h5: the reader of HDF5 files was killed (SIGKILL)");
+    EXPECT_THAT(pings.intensity(0), ElementsAre(0, 100, 255));
+  }
+  EXPECT_THAT(children(), IsEmpty());
+  EXPECT_EQ(open_files(), files_before);
+}
+
+TEST(StrangersRecordingTest, IsReadInAForkOfTheProcess) {
+  const WorkingFolder folder;
+  write_intensity("a.h5", {2, 1, 3}, H5T_STD_U8LE, {0, 100, 255, 1, 2, 3});
+  const RecordedPings pings("a.h5");
+  const pid_t fork_of_this = fork();
+  if (fork_of_this == 0) {
+    _exit(pings.intensity(1) == std::vector<double>{1, 2, 3} ? 7 : 8);
+  }
+  EXPECT_THAT(pings.intensity(0), ElementsAre(0, 100, 255));
+  int status = 0;
+  waitpid(fork_of_this, &status, 0);
+  EXPECT_EQ(WEXITSTATUS(status), 7);
+}
+
+TEST(StrangersRecordingTest, ThreadsTakeTurns) {
+  const WorkingFolder folder;
+  write_intensity("a.h5", {2, 1, 3}, H5T_STD_U8LE, {0, 100, 255, 1, 2, 3});
+  const RecordedPings pings("a.h5");
+  const auto read_often = [&](std::uint64_t ping, const std::vector<double>& wanted) {
+    for (int i = 0; i < 200; ++i) {
+      ASSERT_EQ(pings.intensity(ping), wanted);
+    }
+  };
+  std::thread other([&] { read_often(1, {1, 2, 3}); });
+  read_often(0, {0, 100, 255});
+  other.join();
+}
+
+// HDF5 would read the values of a dataset from whatever file that names.
+TEST(StrangersRecordingTest, OtherFilesAreNotOpened) {
+  const WorkingFolder folder;
+  folder.write("secret", "abc");
+  {
+    const H5Handle file(H5Fcreate("a.h5", H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
+    const hsize_t shape[] = {1, 1, 3};
+    const H5Handle space(H5Screate_simple(3, shape, nullptr), H5Sclose);
+    const H5Handle layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    H5Pset_external(layout.get(), "secret", 0, 3);
+    const H5Handle set(
+        H5Dcreate2(file.get(), "intensity", H5T_STD_U8LE, space.get(), H5P_DEFAULT, layout.get(), H5P_DEFAULT),
+        H5Dclose);
+  }
+  const RecordedPings pings("a.h5");
+  EXPECT_THAT(message_of([&] { (void)pings.intensity(0); }), StartsWith("a.h5: cannot read intensity: "));
+}
+
+}  // namespace
+}  // namespace insonify::strangers_files_test
