@@ -91,6 +91,18 @@ RecordOptions record_options(const RunOptions& options, const PictureStyle& styl
   return record;
 }
 
+// Refuses options that do nothing for the recordings that were asked for.
+void check_effects(const RunOptions& options) {
+  if (options.compress &&
+      std::ranges::none_of(options.record, [](const auto* format) { return format->name == "h5"; })) {
+    throw InputError("--compress has no effect on --record mcap, only on h5: MCAP is compressed anyway");
+  }
+  if (const std::vector<std::string> given = options.messages.given();
+      !given.empty() && std::ranges::none_of(options.record, [](const auto* format) { return format->has_messages; })) {
+    throw InputError(given.front() + " has no effect on --record h5, only on mcap");
+  }
+}
+
 // Prints what is unusual about the world and the trajectories, before the first ping.
 void print_oddities(Simulator& simulator, const ScenarioRequests& requests, bool quiet) {
   for (const std::string& text : oddities_of(simulator, requests)) {
@@ -177,14 +189,7 @@ void print_hints(const Simulator& simulator, const std::vector<Track>& tracks, c
 
 int run(const RunOptions& options) {
   end_when_asked();
-  if (options.compress &&
-      std::ranges::none_of(options.record, [](const auto* format) { return format->name == "h5"; })) {
-    throw InputError("--compress has no effect on --record mcap, only on h5: MCAP is compressed anyway");
-  }
-  if (const std::vector<std::string> given = options.messages.given();
-      !given.empty() && std::ranges::none_of(options.record, [](const auto* format) { return format->has_messages; })) {
-    throw InputError(given.front() + " has no effect on --record h5, only on mcap");
-  }
+  check_effects(options);
   const PictureChoice choice = PictureChoice::parse(options.pictures.pictures);
   PictureStyle style;
   const std::filesystem::path folder = output_folder(options.folder, options.scenario);
