@@ -8,6 +8,7 @@ find_package(fmt REQUIRED)
 find_package(PNG REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(Zstd REQUIRED)
+find_package(Minizip REQUIRED)
 find_package(Freetype REQUIRED)
 find_package(pugixml REQUIRED)
 find_package(Threads REQUIRED)
@@ -26,7 +27,7 @@ if(NOT INSONIFY_EMBREE_MAJOR)
 endif()
 
 # libsdformat, whose package and target carry the version in their names. Without it, SDF files are not read. See
-# src/io/sdf/sdf_math.h.
+# src/io/sdf/sdf_poses.h.
 foreach(major 14 13 12)
   find_package(sdformat${major} QUIET)
   if(sdformat${major}_FOUND)

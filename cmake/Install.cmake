@@ -16,7 +16,7 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/insonifyConfig.cmake.i
   ${PROJECT_BINARY_DIR}/insonifyConfig.cmake INSTALL_DESTINATION ${config_folder})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/insonifyConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/insonifyConfig.cmake ${PROJECT_BINARY_DIR}/insonifyConfigVersion.cmake
-  ${PROJECT_SOURCE_DIR}/cmake/FindZstd.cmake DESTINATION ${config_folder} COMPONENT development)
+  ${PROJECT_SOURCE_DIR}/cmake/FindZstd.cmake ${PROJECT_SOURCE_DIR}/cmake/FindMinizip.cmake DESTINATION ${config_folder} COMPONENT development)
 # For builds that ask pkg-config, as Rock's do. A static library's users need CMake, which finds what it uses.
 if(BUILD_SHARED_LIBS)
   file(RELATIVE_PATH prefix_from_pkgconfig /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)

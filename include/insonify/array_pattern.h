@@ -8,12 +8,22 @@
 #include <string_view>
 #include <vector>
 
-#include "insonify/field.h"
+#include "insonify/settings_table.h"
+#include "insonify/words.h"
 
 namespace insonify {
 
 /// Weights of the elements along the array (its taper). Lower side lobes come with a wider main lobe.
 enum class ArrayWindow { kRectangular, kHann, kHamming, kCosine, kTaylor, kDolphChebyshev };
+template <>
+constexpr auto words_of<ArrayWindow>() {
+  return EnumWords<ArrayWindow, 6>{{{"rectangular", ArrayWindow::kRectangular},
+                                    {"hann", ArrayWindow::kHann},
+                                    {"hamming", ArrayWindow::kHamming},
+                                    {"cosine", ArrayWindow::kCosine},
+                                    {"taylor", ArrayWindow::kTaylor},
+                                    {"dolph_chebyshev", ArrayWindow::kDolphChebyshev}}};
+}
 
 /// A line array of equally spaced elements, or a continuous line, with the faults of one built instrument.
 struct ArraySettings {
@@ -45,6 +55,10 @@ struct ArraySettings {
 /// around its axis (kCone). kWedge is the simplification of the `paper` model: the bearing is the azimuth, at every
 /// elevation.
 enum class BeamShape { kWedge, kCone };
+template <>
+constexpr auto words_of<BeamShape>() {
+  return EnumWords<BeamShape, 2>{{{"wedge", BeamShape::kWedge}, {"cone", BeamShape::kCone}}};
+}
 
 /// u, the sine of the bearing, -1..1: sin(azimuth) for wedges, sin(azimuth) cos(elevation) for cones.
 [[nodiscard]] double bearing_sine(BeamShape shape, double azimuth, double elevation);

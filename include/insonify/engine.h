@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "insonify/words.h"
+
 namespace insonify {
 
 /// How the nearest surface in each direction is found; the echoes are the same.
@@ -15,6 +17,11 @@ enum class PrimaryEchoes {
   kRays,
   kRaster  ///< Triangles drawn into the fan's columns and rows. `reference` always traces rays.
 };
+template <>
+constexpr auto words_of<PrimaryEchoes>() {
+  return EnumWords<PrimaryEchoes, 3>{
+      {{"auto", PrimaryEchoes::kAuto}, {"rays", PrimaryEchoes::kRays}, {"raster", PrimaryEchoes::kRaster}}};
+}
 
 /// Selection of the hits from which a reflected ray is traced to a second surface.
 enum class SecondaryEchoes {
@@ -23,12 +30,21 @@ enum class SecondaryEchoes {
                ///< may hit something if these are few.
   kAll
 };
+template <>
+constexpr auto words_of<SecondaryEchoes>() {
+  return EnumWords<SecondaryEchoes, 3>{
+      {{"none", SecondaryEchoes::kNone}, {"selective", SecondaryEchoes::kSelective}, {"all", SecondaryEchoes::kAll}}};
+}
 
 /// Model of scattering and propagation.
 enum class EchoModel {
   kPaper,      ///< The paper's: echoes mapped to 0..1 and averaged in each bin. See paper_model.h.
   kCalibrated  ///< Echo intensities relative to the source's at 1 m, summed in each bin: 10 log10 of a sum is EL - SL.
 };
+template <>
+constexpr auto words_of<EchoModel>() {
+  return EnumWords<EchoModel, 2>{{{"paper", EchoModel::kPaper}, {"calibrated", EchoModel::kCalibrated}}};
+}
 
 /// Rays that one ping sent.
 struct RayCounts {

@@ -6,10 +6,8 @@
 #include <concepts>
 #include <limits>
 #include <numbers>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <type_traits>
 
 namespace insonify {
 
@@ -59,8 +57,9 @@ enum class ActsIn { kEveryModel, kCalibrated, kPaper };
 /// One field of a configuration, as file readers, command line and manual need it.
 ///
 /// Every configuration struct has `template <class Self, class Visit> static void visit_fields(Self&, Visit&&)` that
-/// calls `visit(Field, member)` on each member in order. The YAML reader, `--set`, `insonify describe` and validate()
-/// are made from that list, so a field added there appears everywhere.
+/// calls `visit(Field, member)` on each member in order. table_of() makes a table of that list, from which the YAML
+/// reader, `--set`, `insonify describe`, validate(), recordings and Python are made: a field added there appears
+/// everywhere.
 struct Field {
   std::string_view name;  ///< As in code. In files a field in "rad" is written in degrees, as `<name>_deg`.
   std::string_view unit;  ///< "m", "Hz", "rad", "s", "" (a count, a ratio or a word) ...
@@ -89,10 +88,6 @@ concept HasParts = requires(const Config& config) {
   Config::visit_parts(config, [](const Part&, const auto&) {});
 };
 
-/// Calls `visit(name, config)` for each configuration that a part holds: "water", "points[0]", "materials.hull".
-template <typename Member, typename Visit>
-void visit_entries(const std::string& name, Member& member, Visit&& visit);
-
 /// Name of the field as users write it: `azimuth_aperture_deg` for an angle, the plain name otherwise.
 [[nodiscard]] std::string file_name_of(const Field& field);
 
@@ -107,71 +102,5 @@ void visit_entries(const std::string& name, Member& member, Visit&& visit);
 /// @param index   Place in a list, negative for a single number.
 /// @throws Error "sonars[0].max_range = -2 m must be greater than 0 m"
 void check_field(std::string_view object, const Field& field, double value, int index = -1);
-
-/// Checks all members that are numbers, optional numbers or lists of numbers, in order, then those of its parts; words
-/// are not checked.
-template <typename Config>
-void check_fields(std::string_view object, const Config& config);
-
-// ---------------------------------------------------------------------------------------------------------------------
-
-namespace detail {
-
-template <typename T>
-void check_member(std::string_view object, const Field& field, const T& member) {
-  if constexpr (std::is_same_v<T, bool>) {
-    return;
-  } else if constexpr (std::is_arithmetic_v<T>) {
-    check_field(object, field, static_cast<double>(member));
-  } else if constexpr (requires {
-                         typename T::value_type;
-                         member.has_value();
-                       }) {
-    if (member.has_value()) {
-      check_member(object, field, *member);
-    }
-  } else if constexpr (requires { requires std::is_arithmetic_v<std::remove_cvref_t<decltype(*member.begin())>>; } &&
-                       !std::is_convertible_v<const T&, std::string_view>) {
-    int index = 0;
-    for (const auto value : member) {
-      check_field(object, field, static_cast<double>(value), index++);
-    }
-  }
-}
-
-}  // namespace detail
-
-template <typename Member, typename Visit>
-void visit_entries(const std::string& name, Member& member, Visit&& visit) {
-  if constexpr (requires { member.has_value(); }) {
-    if (member.has_value()) {
-      visit(name, *member);
-    }
-  } else if constexpr (requires { typename Member::mapped_type; }) {
-    for (auto& [key, entry] : member) {
-      visit(name + "." + key, entry);  // NOLINT(performance-inefficient-string-concatenation): once per entry of a file
-    }
-  } else if constexpr (requires { member.begin(); }) {
-    int index = 0;
-    for (auto& entry : member) {
-      visit(name + "[" + std::to_string(index++) + "]", entry);
-    }
-  } else {
-    visit(name, member);
-  }
-}
-
-template <typename Config>
-void check_fields(std::string_view object, const Config& config) {
-  Config::visit_fields(config,
-                       [&](const Field& field, const auto& member) { detail::check_member(object, field, member); });
-  if constexpr (HasParts<Config>) {
-    const std::string prefix = object.empty() ? "" : std::string(object) + ".";
-    Config::visit_parts(config, [&](const Part& part, const auto& member) {
-      visit_entries(prefix + std::string(part.name), member,
-                    [](const std::string& name, const auto& entry) { check_fields(name, entry); });
-    });
-  }
-}
 
 }  // namespace insonify

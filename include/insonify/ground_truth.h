@@ -4,6 +4,8 @@
 
 #include <cstdint>
 
+#include "insonify/words.h"
+
 namespace insonify {
 
 /// Which ground truth pings and recordings hold for each bin (docs/concepts/ground-truth.md). More of it costs time and
@@ -14,6 +16,11 @@ enum class GroundTruth {
   kFull  ///< The strongest instances with their shares, the spread of elevation, path order, shadow and the direct echo
          ///< (calibrated model).
 };
+template <>
+constexpr auto words_of<GroundTruth>() {
+  return EnumWords<GroundTruth, 3>{
+      {{"none", GroundTruth::kNone}, {"labels", GroundTruth::kLabels}, {"full", GroundTruth::kFull}}};
+}
 
 /// Instances listed per bin with kFull.
 inline constexpr int kStrongestCount = 3;

@@ -51,6 +51,7 @@
 #include "insonify/scene.h"
 #include "insonify/scene_view.h"
 #include "insonify/sea_surface.h"
+#include "insonify/settings_table.h"
 #include "insonify/similarity.h"
 #include "insonify/simulator.h"
 #include "insonify/sonar/sampling.h"

@@ -8,9 +8,9 @@
 #include <string>
 #include <string_view>
 
-#include "insonify/field.h"
 #include "insonify/relief.h"
 #include "insonify/scattering.h"
+#include "insonify/settings_table.h"
 
 namespace insonify {
 
@@ -34,7 +34,7 @@ void visit_material_fields(Self& self, Visit&& visit) {
               ActsIn::kCalibrated},
         self.shear_speed);
   visit(Field{"loss", "", from_to(0, 1),
-              "Absorption of sound in it: imaginary over real part of the wavenumber (calibrated model).",
+              "Absorption in the material: imaginary over real part of the wavenumber (calibrated model).",
               ActsIn::kCalibrated},
         self.loss);
   visit(Field{"reflectivity", "", from_to(0, 1),
@@ -54,12 +54,11 @@ void visit_material_fields(Self& self, Visit&& visit) {
               "Thickness of a plate with water on both sides (calibrated model); solid when absent.",
               ActsIn::kCalibrated, "reflectivity"},
         self.thickness);
-  visit(
-      Field{"transmission", "", from_to(0, 1),
-            "Magnitude of the pressure transmission coefficient at all angles (calibrated model); when absent that of "
-            "a plate of this thickness, none of a solid. At most what reflection and diffuse scattering leave.",
-            ActsIn::kCalibrated},
-      self.transmission);
+  visit(Field{"transmission", "", from_to(0, 1),
+              "Magnitude of the pressure transmission coefficient at all angles (calibrated model); when absent that "
+              "of a plate of this thickness, none of a solid. At most what reflection and diffuse scattering leave.",
+              ActsIn::kCalibrated},
+        self.transmission);
   visit(
       Field{
           "open_share", "", from_to(0, 1),
@@ -68,7 +67,7 @@ void visit_material_fields(Self& self, Visit&& visit) {
           ActsIn::kCalibrated},
       self.open_share);
   visit(Field{"rms_slope", "", from_to(0.005, 1),
-              "Root mean square slope of its small facets along each axis, which sets the width of the specular lobe "
+              "Root mean square slope of small facets along each axis, which sets the width of the specular lobe "
               "(calibrated model).",
               ActsIn::kCalibrated, "reflectivity"},
         self.rms_slope);

@@ -76,12 +76,10 @@ struct MessageOptions {
     visit(Field{"raw", "", {}, "Whether there is a topic of images with a pixel for each beam and bin."}, self.raw);
     visit(Field{"strong_share", "", above_to(0, 1), "Share of a ping's cells that become points."}, self.strong_share);
     visit(Field{"world_frame", "", {}, "Name of the frame of the world."}, self.world_frame);
-    visit(
-        Field{
-            "fan_rate", "1/s", from_to(0, 1000),
-            "Fan pictures in a file for a second of the pings' times, at most; when absent 2 for scanning sonars, and "
-            "a picture of every ping for others."},
-        self.fan_rate);
+    visit(Field{"fan_rate", "1/s", from_to(0, 1000),
+                "Fan pictures in a file for a second of the pings' times, at most; when absent 2 for scanning sonars, "
+                "and a picture of every ping for others."},
+          self.fan_rate);
   }
 };
 

@@ -4,7 +4,8 @@
 
 #pragma once
 
-#include "insonify/field.h"
+#include "insonify/settings_table.h"
+#include "insonify/words.h"
 
 namespace insonify {
 
@@ -14,6 +15,11 @@ enum class Sigmoid {
   kAuthors,   ///< The authors' code: 0.5 tanh(9 (x - 2/3)) + 0.5, unscaled: a logistic of midpoint 2/3 and slope 18.
   kNone       ///< S(x) = x.
 };
+template <>
+constexpr auto words_of<Sigmoid>() {
+  return EnumWords<Sigmoid, 3>{
+      {{"logistic", Sigmoid::kLogistic}, {"authors", Sigmoid::kAuthors}, {"none", Sigmoid::kNone}}};
+}
 
 struct PaperModel {
   Sigmoid sigmoid = Sigmoid::kLogistic;
@@ -28,7 +34,8 @@ struct PaperModel {
   /// S(strength), for strength in 0..1.
   [[nodiscard]] double shape(double strength) const;
 
-  void validate() const { check_fields("paper", *this); }
+  /// @throws Error on the first field out of limits.
+  void validate() const;
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {

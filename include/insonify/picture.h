@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "insonify/engine.h"
-#include "insonify/field.h"
 #include "insonify/ping.h"
+#include "insonify/settings_table.h"
 #include "insonify/sonar_config.h"
 
 namespace insonify {
@@ -45,7 +45,7 @@ struct Display {
   bool annotations = true;  ///< Title, rings, radials, axes and colour bar.
 
   /// @throws Error on the first field out of limits.
-  void validate() const { check_fields("display", *this); }
+  void validate() const;
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {

@@ -2,8 +2,8 @@
 
 #pragma once
 
-#include "insonify/field.h"
 #include "insonify/geometry.h"
+#include "insonify/settings_table.h"
 
 namespace insonify {
 

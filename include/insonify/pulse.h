@@ -6,16 +6,32 @@
 #include <vector>
 
 #include "insonify/array_pattern.h"
-#include "insonify/field.h"
+#include "insonify/settings_table.h"
+#include "insonify/words.h"
 
 namespace insonify {
 
 /// kNone: a rectangle as long as a range bin. kCw: a tone. kLfm: a linear frequency-modulated chirp, compressed by its
 /// matched filter. kInstrument: the sonar's own, see SonarConfig::transmitted().
 enum class PulseKind { kNone, kCw, kLfm, kInstrument };
+template <>
+constexpr auto words_of<PulseKind>() {
+  return EnumWords<PulseKind, 4>{{{"none", PulseKind::kNone},
+                                  {"cw", PulseKind::kCw},
+                                  {"lfm", PulseKind::kLfm},
+                                  {"instrument", PulseKind::kInstrument}}};
+}
 
 /// Window over the band of a chirp, with which the receiver lowers its side lobes in range.
 enum class PulseWindow { kRectangular, kHann, kHamming, kCosine, kTaylor };
+template <>
+constexpr auto words_of<PulseWindow>() {
+  return EnumWords<PulseWindow, 5>{{{"rectangular", PulseWindow::kRectangular},
+                                    {"hann", PulseWindow::kHann},
+                                    {"hamming", PulseWindow::kHamming},
+                                    {"cosine", PulseWindow::kCosine},
+                                    {"taylor", PulseWindow::kTaylor}}};
+}
 
 /// Least product of duration and bandwidth with which a chirp's compressed pulse is as it is described below.
 inline constexpr double kLeastCompression = 10;

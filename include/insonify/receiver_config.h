@@ -8,17 +8,34 @@
 #include <vector>
 
 #include "insonify/array_pattern.h"
-#include "insonify/field.h"
 #include "insonify/pulse.h"
+#include "insonify/settings_table.h"
+#include "insonify/words.h"
 
 namespace insonify {
 
 /// Beam pattern across one angle: a top hat (gain 1 within the beam's own slice, 0 outside), or that of a line array
 /// with a window. kInstrument: the sonar's own, see SonarConfig::elevation_pattern_beside().
 enum class BeamPattern { kTopHat, kRectangular, kHann, kHamming, kCosine, kTaylor, kDolphChebyshev, kInstrument };
+template <>
+constexpr auto words_of<BeamPattern>() {
+  return EnumWords<BeamPattern, 8>{{{"top_hat", BeamPattern::kTopHat},
+                                    {"rectangular", BeamPattern::kRectangular},
+                                    {"hann", BeamPattern::kHann},
+                                    {"hamming", BeamPattern::kHamming},
+                                    {"cosine", BeamPattern::kCosine},
+                                    {"taylor", BeamPattern::kTaylor},
+                                    {"dolph_chebyshev", BeamPattern::kDolphChebyshev},
+                                    {"instrument", BeamPattern::kInstrument}}};
+}
 
 /// What a range bin keeps of the samples of a pulse that is shorter than it: the greatest, their mean, or one of them.
 enum class Decimation { kPeak, kMean, kSample };
+template <>
+constexpr auto words_of<Decimation>() {
+  return EnumWords<Decimation, 3>{
+      {{"peak", Decimation::kPeak}, {"mean", Decimation::kMean}, {"sample", Decimation::kSample}}};
+}
 
 /// Settings of the receiver. All except `noise` apply to the calibrated model only.
 struct ReceiverConfig {
@@ -83,26 +100,30 @@ struct ReceiverConfig {
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    visit(Field{"noise", "", {}, "Whether noise is drawn: the paper model's own, or thermal noise (calibrated)."},
+    visit(Field{"noise", "", {}, "Whether noise is added: the paper model's own, or thermal noise (calibrated)."},
           self.noise);
     visit(Field{"ambient_noise_db", "dB", from_to(-100, 200),
-                "Spectral level at the carrier of noise besides thermal, re 1 uPa^2/Hz (calibrated); none when absent.",
+                "Spectrum level of noise at the carrier, added to thermal noise, re 1 uPa^2/Hz (calibrated); none when "
+                "absent.",
                 ActsIn::kCalibrated, "paper.additive_deviation"},
           self.ambient_noise_db);
-    visit(Field{"wind_noise", "m/s", from_to(0, 60), "Wind speed whose noise is added (calibrated); none when absent.",
-                ActsIn::kCalibrated, "paper.additive_deviation"},
+    visit(Field{"wind_noise", "m/s", from_to(0, 60),
+                "Wind speed that sets the wind noise (calibrated); none when absent.", ActsIn::kCalibrated,
+                "paper.additive_deviation"},
           self.wind_noise);
-    visit(Field{"rain_noise", "mm/h", from_to(0, 300), "Rain whose noise is added (calibrated); none when absent.",
-                ActsIn::kCalibrated, "paper.additive_deviation"},
+    visit(Field{"rain_noise", "mm/h", from_to(0, 300),
+                "Rain rate that sets the rain noise (calibrated); none when absent.", ActsIn::kCalibrated,
+                "paper.additive_deviation"},
           self.rain_noise);
-    visit(Field{"ship_noise", "", from_to(0, 1),
-                "Distant shipping whose noise is added, from 0, little, to 1, heavy (calibrated); none when absent.",
-                ActsIn::kCalibrated, "paper.additive_deviation"},
-          self.ship_noise);
+    visit(
+        Field{"ship_noise", "", from_to(0, 1),
+              "Distant shipping that sets the ship noise, from 0 (light) to 1 (heavy) (calibrated); none when absent.",
+              ActsIn::kCalibrated, "paper.additive_deviation"},
+        self.ship_noise);
     visit(Field{"surface_noise",
                 "",
                 {},
-                "Whether the noise of wind and rain arrives from the surface, from vertical dipoles; else it is "
+                "Whether wind and rain noise arrives from the surface, as from vertical dipoles; otherwise it is "
                 "isotropic (calibrated).",
                 ActsIn::kCalibrated,
                 "paper.additive_deviation"},
@@ -117,8 +138,7 @@ struct ReceiverConfig {
     visit(Field{"azimuth_pattern",
                 "",
                 {},
-                "Beam pattern across bearings: top_hat, or the window of a line array "
-                "(calibrated).",
+                "Beam pattern across bearings: top_hat, or the window of a line array (calibrated).",
                 ActsIn::kCalibrated},
           self.azimuth_pattern);
     visit(Field{"elevation_pattern",
@@ -138,17 +158,17 @@ struct ReceiverConfig {
                 "sin(azimuth) cos(elevation) is constant) (calibrated).",
                 ActsIn::kCalibrated},
           self.beam_shape);
-    visit(Field{"elements", "", from_to(0, 1024), "Elements of the azimuth_pattern's array; 0: a continuous line.",
-                ActsIn::kCalibrated},
+    visit(Field{"elements", "", from_to(0, 1024),
+                "Number of elements of the azimuth_pattern's array; 0: a continuous line.", ActsIn::kCalibrated},
           self.elements);
-    visit(Field{"element_error_db", "dB", from_to(0, 20), "Standard deviation of their amplitudes, drawn by the seed.",
-                ActsIn::kCalibrated},
+    visit(Field{"element_error_db", "dB", from_to(0, 20),
+                "Standard deviation of the elements' amplitudes, drawn from the seed.", ActsIn::kCalibrated},
           self.element_error_db);
-    visit(Field{"element_error", "rad", from_to(0, std::numbers::pi), "Standard deviation of their phases.",
+    visit(Field{"element_error", "rad", from_to(0, std::numbers::pi), "Standard deviation of the elements' phases.",
                 ActsIn::kCalibrated},
           self.element_error);
-    visit(Field{"dead_elements", "", from_to(0, 1023), "Elements that receive nothing, from 0 at the port end.",
-                ActsIn::kCalibrated},
+    visit(Field{"dead_elements", "", from_to(0, 1023),
+                "Indices of elements that receive nothing; 0 is at the port end.", ActsIn::kCalibrated},
           self.dead_elements);
     visit(Field{"pulse",
                 "",
@@ -164,26 +184,26 @@ struct ReceiverConfig {
     visit(Field{"pulse_window",
                 "",
                 {},
-                "Weights over the band of the chirp, for lower side lobes in range.",
+                "Window over the chirp's band; lowers the side lobes in range.",
                 ActsIn::kCalibrated},
           self.pulse_window);
-    visit(Field{"pulse_side_lobe_db", "dB", from_to(-100, -15), "Side lobes in range of the pulse_window taylor.",
+    visit(Field{"pulse_side_lobe_db", "dB", from_to(-100, -15), "Side lobes in range with pulse_window taylor.",
                 ActsIn::kCalibrated},
           self.pulse_side_lobe_db);
-    visit(Field{"decimation",
-                "",
-                {},
-                "What a bin longer than the pulse's resolution keeps of it: peak, mean, or sample (one look) "
-                "(calibrated).",
-                ActsIn::kCalibrated},
-          self.decimation);
+    visit(
+        Field{"decimation",
+              "",
+              {},
+              "Value kept by a bin longer than the pulse's resolution: peak, mean, or sample (one look) (calibrated).",
+              ActsIn::kCalibrated},
+        self.decimation);
     visit(Field{"time_varied_gain", "dB/decade", from_to(0, 60),
                 "X of the gain X log10(r / 1 m) + 2 alpha r applied to recorded intensities (calibrated); no gain when "
                 "absent.",
                 ActsIn::kCalibrated, "a sonar's gain"},
           self.time_varied_gain);
     visit(Field{"gain_ranges", "m", from_to(0, 1e5),
-                "Rising ranges of a table of gain, instead of time_varied_gain (calibrated).", ActsIn::kCalibrated,
+                "Ranges of a gain table, rising, instead of time_varied_gain (calibrated).", ActsIn::kCalibrated,
                 "a sonar's gain"},
           self.gain_ranges);
     visit(Field{"gains_db", "dB", from_to(-300, 300),
@@ -191,25 +211,23 @@ struct ReceiverConfig {
                 "a sonar's gain"},
           self.gains_db);
     visit(Field{"saturation_db", "dB", from_to(-400, 100),
-                "Level re the source's at 1 m at which the receiver's input saturates (calibrated); never when "
-                "absent.",
+                "Level, re the source level, at which the receiver's input saturates (calibrated); never when absent.",
                 ActsIn::kCalibrated},
           self.saturation_db);
     visit(Field{"field",
                 "",
                 {},
-                "Whether to record the complex field as well (calibrated, with speckle).",
+                "Whether to also record the complex field (calibrated, with speckle).",
                 ActsIn::kCalibrated},
           self.field);
     visit(Field{"counts",
                 "",
                 {},
-                "Whether to record counts as well, by the sonar's bits and mapping (calibrated).",
+                "Whether to also record counts, by the sonar's bits and mapping (calibrated).",
                 ActsIn::kCalibrated},
           self.counts);
-    visit(
-        Field{"full_scale_db", "dB", from_to(-400, 400), "Recorded level of the greatest count.", ActsIn::kCalibrated},
-        self.full_scale_db);
+    visit(Field{"full_scale_db", "dB", from_to(-400, 400), "Recorded level of the largest count.", ActsIn::kCalibrated},
+          self.full_scale_db);
     visit(Field{"full_scale_share", "", above_to(0, 1),
                 "Automatic gain: share of each ping's bins that have the largest count, instead of full_scale_db.",
                 ActsIn::kCalibrated},

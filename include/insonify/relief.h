@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "insonify/field.h"
+#include "insonify/settings_table.h"
 
 namespace insonify {
 
@@ -89,8 +89,8 @@ struct ReliefConfig {
     visit(Field{"reflectivity_map", "", {}, "Factor on the amplitude reflectivity (grey PNG): white 1, black 0."},
           self.reflectivity_map);
     visit(Field{"tile_size", "m", from_to(0, 1e6),
-                "Side of a tile mapped by position; 0: a map follows the mesh's texture coordinates or, without "
-                "these, has a side of 1 m."},
+                "Side of a tile mapped by position; 0: a map follows the mesh's texture coordinates or, without these, "
+                "has a side of 1 m."},
           self.tile_size);
   }
 };

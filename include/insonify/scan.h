@@ -7,11 +7,16 @@
 #include <variant>
 
 #include "insonify/geometry.h"
+#include "insonify/words.h"
 
 namespace insonify {
 
 /// Axis about which a scanning head turns: the housing's z (a plan view), or its y, rolled by 90 degrees (a slice).
 enum class Mounting { kHorizontal, kVertical };
+template <>
+constexpr auto words_of<Mounting>() {
+  return EnumWords<Mounting, 2>{{{"horizontal", Mounting::kHorizontal}, {"vertical", Mounting::kVertical}}};
+}
 
 /// Beams that do not turn in their housing.
 struct FixedScan {

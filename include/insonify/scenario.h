@@ -30,7 +30,7 @@ struct Waypoint {
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    visit(Field{"time", "s", from_to(-1e10, 1e10), "When it is there; rising from waypoint to waypoint."}, self.time);
+    visit(Field{"time", "s", from_to(-1e10, 1e10), "Time of the waypoint, rising from one to the next."}, self.time);
     visit(Field{"position", "m", coordinate(), "[x, y, z] in the world."}, self.position);
     visit(Field{"orientation", "rad", turn(), "[roll, pitch, yaw] as in SDF."}, self.orientation);
   }
@@ -71,9 +71,9 @@ struct ViewConfig {
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
     constexpr Limits kReach = from_to(-1e8, 1e8);  // Room around a sonar at the edge of the world.
-    visit(Field{"position", "m", kReach, "Of the camera: [x, y, z]."}, self.position);
-    visit(Field{"look_at", "m", kReach, "Where it looks: [x, y, z]."}, self.look_at);
-    visit(Field{"field_of_view", "rad", above_to(0, radians_from_degrees(170)), "Width of the view."},
+    visit(Field{"position", "m", kReach, "Position of the camera: [x, y, z]."}, self.position);
+    visit(Field{"look_at", "m", kReach, "Point that the camera looks at: [x, y, z]."}, self.look_at);
+    visit(Field{"field_of_view", "rad", above_to(0, radians_from_degrees(170)), "Horizontal field of view."},
           self.field_of_view);
   }
 };
@@ -148,73 +148,67 @@ struct Scenario {
     visit(Field{"world",
                 "",
                 {},
-                "SDF world or model, Stonefish scenario, mesh or height grid; relative paths are from the scenario's "
-                "folder. "
-                "Without it "
-                "there is open water, for `points` and under a `surface`; `none` is for programs that give the scene."},
+                "SDF world or model, Stonefish scenario, mesh or height grid; relative paths start from the scenario's "
+                "folder. Open water when absent, for `points` or under a `surface`; `none` is for programs that supply "
+                "the scene."},
           self.world);
     visit(Field{"collisions", "", {}, "Insonify the world's collision shapes instead of its visuals (SDF, Stonefish)."},
           self.collisions);
     visit(Field{"strict",
                 "",
                 {},
-                "Whether a model or a file that the world names and that is missing is an error; else the rest is "
-                "insonified, with a warning (SDF, Stonefish)."},
+                "Whether a missing model or file of the world is an error; otherwise it is skipped with a warning "
+                "(SDF, Stonefish)."},
           self.strict);
     visit(Field{"ignore",
                 "",
                 {},
-                "Objects of the world to leave out, by patterns of their names: `[water_surface*, box_walls]` (SDF, "
+                "Objects of the world to skip, by patterns of their names: `[water_surface*, box_walls]` (SDF, "
                 "Stonefish)."},
           self.ignore);
-    visit(Field{"model",
-                "",
-                {},
-                "Model of the echo: calibrated (levels after the sonar equation) or paper (shaped strengths)."},
+    visit(Field{"model", "", {}, "Echo model: calibrated (levels by the sonar equation) or paper (shaped strengths)."},
           self.model);
-    visit(Field{"engine", "", {}, "What computes the echoes: cpu, or reference (slow, for checks)."}, self.engine);
+    visit(Field{"engine", "", {}, "Engine that computes the echoes: cpu, or reference (slow, for checks)."},
+          self.engine);
     visit(Field{"primary", "", {}, "How the nearest surface in each direction is found; the echoes are the same."},
           self.primary);
-    visit(Field{"secondary", "", {}, "Which hits send a ray on in search of a second surface."}, self.secondary);
+    visit(Field{"secondary", "", {}, "From which hits a reflected ray is traced to a second surface."}, self.secondary);
     visit(Field{"max_surfaces", "", from_to(1, kPathOrders),
-                "Surfaces that a path may meet: 2 adds echoes by way of a mirror, 3 those by a mirror both ways "
+                "Largest number of surfaces on a path: 2 adds echoes via a mirror one way, 3 via a mirror both ways "
                 "(calibrated)."},
           self.max_surfaces);
-    visit(
-        Field{"rough_mirrors",
-              "",
-              {},
-              "Whether mirrors reflect all sound by facets of their rms_slope; else they reflect coherently the share "
-              "that follows from their rms_height (calibrated)."},
-        self.rough_mirrors);
-    visit(Field{"random_walks", "", from_to(0, 1e6),
-                "Walks of a ping over many surfaces, for the reverberation of closed spaces: 1000 to 5000 in a tank, 0 "
-                "for none (calibrated)."},
-          self.random_walks);
-    visit(
-        Field{
-            "motion_in_ping", "", {}, "Whether the sonar moves on along its trajectory while it listens (calibrated)."},
-        self.motion_in_ping);
-    visit(Field{"mutual_interference",
+    visit(Field{"rough_mirrors",
                 "",
                 {},
-                "Whether each sonar receives the pulses of the scenario's others on their direct path (calibrated)."},
-          self.mutual_interference);
+                "Whether mirrors reflect all sound by facets of their rms_slope; otherwise the share that follows from "
+                "their rms_height is reflected coherently (calibrated)."},
+          self.rough_mirrors);
+    visit(Field{"random_walks", "", from_to(0, 1e6),
+                "Random walks per ping over many surfaces, for the reverberation of closed spaces: 1000 to 5000 in a "
+                "tank, 0 for none (calibrated)."},
+          self.random_walks);
+    visit(Field{"motion_in_ping", "", {}, "Whether the sonar moves along its trajectory during a ping (calibrated)."},
+          self.motion_in_ping);
+    visit(
+        Field{"mutual_interference",
+              "",
+              {},
+              "Whether each sonar receives the pulses of the scenario's other sonars on the direct path (calibrated)."},
+        self.mutual_interference);
     visit(Field{"ground_truth",
                 "",
                 {},
-                "What is kept of where each bin's echo came from: none, labels (instance, material, elevation) or full "
-                "(also shares, spread, path order, shadow and direct echo; calibrated)."},
+                "Recorded origin of each bin's echo: none, labels (instance, material, elevation) or full (also "
+                "shares, spread, path order, shadow and direct echo; calibrated)."},
           self.ground_truth);
-    visit(Field{"seed", "", at_least(0), "Start of the random numbers; the same seed gives the same pings."},
-          self.seed);
-    visit(Field{"pings", "", from_to(1, 1e9), "Pings of each sonar."}, self.pings);
+    visit(Field{"seed", "", at_least(0), "Seed of the random numbers; the same seed gives the same pings."}, self.seed);
+    visit(Field{"pings", "", from_to(1, 1e9), "Number of pings of each sonar."}, self.pings);
     visit(Field{"duration", "s", above_to(0, 1e9),
-                "Instead of `pings`: every sonar pings from time 0 until before then."},
+                "Instead of `pings`: each sonar pings from time 0 until before this time."},
           self.duration);
     visit(Field{"turns", "", above_to(0, 1e6),
                 "Instead of `pings`: full turns of a scanning head, or sweeps across its sector. Other sonars ping for "
-                "as long."},
+                "the same time."},
           self.turns);
     MaterialRules::visit_fields(self.materials, visit);
   }
@@ -228,7 +222,7 @@ struct Scenario {
 
 template <typename Self, typename Visit>
 void Scenario::visit_parts(Self& self, Visit&& visit) {
-  visit(Part{"water", "map", "The water: see `water`.", "The water, alike everywhere."}, self.water);
+  visit(Part{"water", "map", "The water: see `water`.", "The water, the same everywhere."}, self.water);
   visit(Part{"materials", "map of material or visual names", "What surfaces are made of: see `materials`.",
              "One entry for each name of a visual or a material: `hull: steel` or `hull: {like: steel, lambert_db: "
              "-15}`."},
@@ -237,13 +231,12 @@ void Scenario::visit_parts(Self& self, Visit&& visit) {
              "One entry for each sonar. The keys beside `preset` override it; without one, the defaults below hold. "
              "With a preset, `bin_count`, `ping_period` and `pulse_duration` follow from the range unless given."},
         self.sonars);
-  visit(Part{"receiver", "map", "What the receiver adds: see `receiver`.",
-             "What the receiver adds. A sonar may have its own `receiver`, which starts from this one. In the paper "
-             "model only "
-             "`noise` has an effect."},
+  visit(Part{"receiver", "map", "Settings of the receiver: see `receiver`.",
+             "Settings of the receiver. A sonar may have its own `receiver`, which starts from this one. In the paper "
+             "model only `noise` has an effect."},
         self.receiver);
   visit(Part{"paper", "map", "The paper model's settings: see `paper`.", "Settings of the paper model."}, self.paper);
-  visit(Part{"surface", "map", "The water's surface, none where not named: see `surface`.",
+  visit(Part{"surface", "map", "The water's surface; none when absent: see `surface`.",
              "The water's surface above the sonar, a rough mirror."},
         self.surface);
   visit(Part{"points", "list of point targets", "Ideal point targets (calibrated model): see `points`.",
@@ -264,12 +257,29 @@ void Scenario::visit_parts(Self& self, Visit&& visit) {
            "before the first and after the last it stands still. Instead of the list, a CSV or TUM file: `trajectory: "
            "log.csv` or `trajectory: {file: log.tum, start: 100}` ([trajectory files](trajectories.md))."},
       self.trajectory.waypoints);
-  visit(Part{"motions", "list of motions", "What else moves: see `motions`.",
+  visit(Part{"motions", "list of motions", "Objects of the world that move: see `motions`.",
              "One entry for each object of the world that moves."},
         self.motions);
   visit(Part{"view", "map", "The camera of the picture of the scene: see `view`.",
-             "The camera of the picture of the scene. Without it, one that shows the first sonar's field is chosen."},
+             "The camera of the picture of the scene; when absent, one that shows the first sonar's field."},
         self.view);
 }
+
+// Their tables are compiled once, in src/simulator/scenario_tables.cpp.
+extern template const SettingsTable& table_of<Water>();
+extern template const SettingsTable& table_of<PaperModel>();
+extern template const SettingsTable& table_of<ReceiverConfig>();
+extern template const SettingsTable& table_of<Sampling>();
+extern template const SettingsTable& table_of<SonarConfig>();
+extern template const SettingsTable& table_of<MaterialOverride>();
+extern template const SettingsTable& table_of<Material>();
+extern template const SettingsTable& table_of<PointTarget>();
+extern template const SettingsTable& table_of<Interferer>();
+extern template const SettingsTable& table_of<Thruster>();
+extern template const SettingsTable& table_of<SeaSurface>();
+extern template const SettingsTable& table_of<Waypoint>();
+extern template const SettingsTable& table_of<Motion>();
+extern template const SettingsTable& table_of<ViewConfig>();
+extern template const SettingsTable& table_of<Scenario>();
 
 }  // namespace insonify

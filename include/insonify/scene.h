@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "insonify/error.h"
-#include "insonify/field.h"
 #include "insonify/log.h"
 #include "insonify/material.h"
 #include "insonify/mesh.h"
+#include "insonify/settings_table.h"
 
 namespace insonify {
 
@@ -59,7 +59,7 @@ struct MaterialOverride {
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    visit(Field{"like", "", {}, "Material of the library to start from; the one of this name when absent."}, self.like);
+    visit(Field{"like", "", {}, "Library material to start from; the one of this name when absent."}, self.like);
     visit_material_fields(self, visit);
     ReliefConfig::visit_fields(self.relief_config, visit);
   }

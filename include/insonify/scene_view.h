@@ -4,9 +4,9 @@
 
 #include "insonify/channels.h"
 #include "insonify/engine.h"
-#include "insonify/field.h"
 #include "insonify/picture.h"
 #include "insonify/scenario.h"
+#include "insonify/settings_table.h"
 
 namespace insonify {
 

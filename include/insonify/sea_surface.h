@@ -2,8 +2,8 @@
 
 #pragma once
 
-#include "insonify/field.h"
 #include "insonify/material.h"
+#include "insonify/settings_table.h"
 
 namespace insonify {
 

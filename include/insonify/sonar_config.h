@@ -11,11 +11,12 @@
 #include <vector>
 
 #include "insonify/bearing_grid.h"
-#include "insonify/field.h"
 #include "insonify/geometry.h"
 #include "insonify/receiver_config.h"
 #include "insonify/scan.h"
+#include "insonify/settings_table.h"
 #include "insonify/sonar/sampling.h"
+#include "insonify/words.h"
 
 namespace insonify {
 
@@ -28,15 +29,27 @@ inline constexpr double kWidestElement = radians_from_degrees(175);
 /// Forward-looking: each ping insonifies the whole fan. Mechanically scanned: one beam, turned by a step after each
 /// ping.
 enum class SonarType { kForwardLooking, kMechanicallyScanned };
+template <>
+constexpr auto words_of<SonarType>() {
+  return EnumWords<SonarType, 2>{{{"fls", SonarType::kForwardLooking}, {"msis", SonarType::kMechanicallyScanned}}};
+}
 
 /// What the pings of a sonar make: each the picture of a fan, or lines of one picture.
 enum class Product { kImage, kLine };
 
 /// How a fan's beams get their directions: by delays between elements, or by a lens.
 enum class Steering { kElectronic, kLens };
+template <>
+constexpr auto words_of<Steering>() {
+  return EnumWords<Steering, 2>{{{"electronic", Steering::kElectronic}, {"lens", Steering::kLens}}};
+}
 
 /// How an instrument maps intensities to counts: a power of amplitude, or decibels.
 enum class Mapping { kGamma, kLogarithmic };
+template <>
+constexpr auto words_of<Mapping>() {
+  return EnumWords<Mapping, 2>{{{"gamma", Mapping::kGamma}, {"logarithmic", Mapping::kLogarithmic}}};
+}
 
 /// An imaging sonar seen as a fan of beams cut into range bins.
 ///
@@ -222,7 +235,7 @@ struct SonarConfig {
           self.sampling);
     visit(
         Part{"receiver", "map",
-             "Receiver of this sonar, as `receiver`; what it does not give is that of the scenario's `receiver`.", ""},
+             "Receiver of this sonar, as `receiver`; its other keys have the values of the scenario's `receiver`.", ""},
         self.receiver);
   }
 };

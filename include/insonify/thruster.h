@@ -5,8 +5,8 @@
 #include <numbers>
 #include <string_view>
 
-#include "insonify/field.h"
 #include "insonify/geometry.h"
+#include "insonify/settings_table.h"
 
 namespace insonify {
 
@@ -37,13 +37,12 @@ struct Thruster {
     visit(Field{"position", "m", coordinate(), "[x, y, z] on the vehicle."}, self.position);
     visit(Field{"level_db", "dB", from_to(-100, 260), "Source spectrum level at `frequency`, re 1 uPa^2/Hz at 1 m."},
           self.level_db);
-    visit(Field{"frequency", "Hz", above_to(0, 1e8), "Where the spectrum has that level."}, self.frequency);
+    visit(Field{"frequency", "Hz", above_to(0, 1e8), "Frequency of level_db."}, self.frequency);
     visit(Field{"slope", "dB/decade", from_to(-100, 100), "Change of the spectrum towards higher frequencies."},
           self.slope);
-    visit(
-        Field{"blade_rate", "Hz", from_to(0, 1e4), "Blades that pass in a second, which modulate the noise; 0: none."},
-        self.blade_rate);
-    visit(Field{"modulation", "", from_to(0, 1), "Depth of that modulation of intensity."}, self.modulation);
+    visit(Field{"blade_rate", "Hz", from_to(0, 1e4), "Blades passing per second, which modulate the noise; 0: none."},
+          self.blade_rate);
+    visit(Field{"modulation", "", from_to(0, 1), "Depth of the intensity's modulation."}, self.modulation);
     visit(Field{"blade_phase", "rad", turn(), "Phase of the modulation at time 0."}, self.blade_phase);
   }
 };

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "insonify/field.h"
+#include "insonify/settings_table.h"
 
 namespace insonify {
 
@@ -31,7 +31,7 @@ struct Water {
   [[nodiscard]] double absorption_db_per_m_at(double frequency) const;
 
   /// @throws Error on the first field out of limits.
-  void validate() const { check_fields("water", *this); }
+  void validate() const;
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -46,12 +46,11 @@ struct Water {
     visit(Field{"absorption_db_per_m", "dB/m", from_to(0, 10),
                 "Absorption one way; by frequency from temperature, salinity, pH and depth when absent."},
           self.absorption_db_per_m);
-    visit(
-        Field{"volume_backscatter_db", "dB", from_to(-150, -20),
-              "Volume backscattering strength S_v re 1/m: -85 in clear, -70 in coastal, -50 in turbid water; no volume "
-              "reverberation when absent (calibrated model).",
-              ActsIn::kCalibrated},
-        self.volume_backscatter_db);
+    visit(Field{"volume_backscatter_db", "dB", from_to(-150, -20),
+                "Volume backscattering strength S_v re 1/m: -85 in clear, -70 in coastal, -50 in turbid water; no "
+                "volume reverberation when absent (calibrated model).",
+                ActsIn::kCalibrated},
+          self.volume_backscatter_db);
   }
 };
 

@@ -31,8 +31,7 @@ void add_water(py::module_& m) {
       },
       arg("frequency"), arg("water"),
       "Absorption one way [dB/m] at a frequency [Hz], >= 0, in a Water. Ainslie and McColm, J. Acoust. Soc. Am. "
-      "103(3), "
-      "1671 (1998): within 10 % of Francois and Garrison from 100 Hz to 1 MHz.");
+      "103(3), 1671 (1998): within 10 % of Francois and Garrison from 100 Hz to 1 MHz.");
   m.def(
       "francois_garrison_db_per_m",
       [](const Numbers& frequency, const py::object& water) {
@@ -42,20 +41,16 @@ void add_water(py::module_& m) {
       },
       arg("frequency"), arg("water"),
       "Absorption one way [dB/m] after Francois and Garrison, J. Acoust. Soc. Am. 72(3), 896 and 72(6), 1879 (1982): "
-      "200 Hz to "
-      "1 MHz, +-5 %.");
+      "200 Hz to 1 MHz, +-5 %.");
   m.attr("NEPER_PER_DECIBEL") = kNeperPerDecibel;
-  add_formula(
-      m, "pressure_mpa", &pressure_mpa, arg("depth"), arg("latitude"),
-      "Gauge pressure [MPa] at a depth [m], 0 to 12000, at a latitude [rad]. Leroy and Parthiot, J. Acoust. Soc. Am. "
-      "103(3), 1346 (1998), common oceans.");
+  add_formula(m, "pressure_mpa", &pressure_mpa, arg("depth"), arg("latitude"),
+              "Gauge pressure [MPa] at a depth [m], 0 to 12000, at a latitude [rad]. Leroy and Parthiot, J. Acoust. "
+              "Soc. Am. 103(3), 1346 (1998), common oceans.");
   constexpr double kLatitude = 0.7853981633974483;
-  add_formula(
-      m, "chen_millero_sound_speed", &chen_millero_sound_speed, arg("temperature_c"), arg("salinity"), arg("depth"),
-      arg("latitude") = kLatitude,
-      "Sound speed [m/s] after Chen and Millero (1977) with the coefficients of Wong and Zhu (1995): 0 to 40 degC, 0 "
-      "to 40 PSU. "
-      "depth [m], latitude [rad].");
+  add_formula(m, "chen_millero_sound_speed", &chen_millero_sound_speed, arg("temperature_c"), arg("salinity"),
+              arg("depth"), arg("latitude") = kLatitude,
+              "Sound speed [m/s] after Chen and Millero (1977) with the coefficients of Wong and Zhu (1995): 0 to 40 "
+              "degC, 0 to 40 PSU. depth [m], latitude [rad].");
   add_formula(m, "del_grosso_sound_speed", &del_grosso_sound_speed, arg("temperature_c"), arg("salinity"), arg("depth"),
               arg("latitude") = kLatitude, "Sound speed [m/s] after Del Grosso (1974): 0 to 30 degC, 30 to 40 PSU.");
   add_formula(m, "mackenzie_sound_speed", &mackenzie_sound_speed, arg("temperature_c"), arg("salinity"), arg("depth"),
@@ -70,11 +65,10 @@ void add_water(py::module_& m) {
       .def_readonly("drop", &BentPath::drop, "Depth gained, positive down [m].")
       .def_readonly("angle", &BentPath::angle, "On arrival, from the horizontal, positive down [rad].")
       .def_readonly("time", &BentPath::time, "Travel time [s].");
-  m.def(
-      "bent_path", &bent_path, arg("sound_speed"), arg("gradient"), arg("launch_angle"), arg("distance"),
-      "Refraction in a constant gradient: a BentPath. sound_speed at launch [m/s] > 0; gradient with depth [1/s], not "
-      "0; launch_angle positive down [rad], within +-pi/2; horizontal distance [m] >= 0. Raises Error where the path "
-      "turns back before. Medwin and Clay, Fundamentals of Acoustical Oceanography (1998), ch. 3.");
+  m.def("bent_path", &bent_path, arg("sound_speed"), arg("gradient"), arg("launch_angle"), arg("distance"),
+        "Refraction in a constant gradient: a BentPath. sound_speed at launch [m/s] > 0; gradient with depth [1/s], "
+        "not 0; launch_angle positive down [rad], within +-pi/2; horizontal distance [m] >= 0. Raises Error where the "
+        "path turns back before. Medwin and Clay, Fundamentals of Acoustical Oceanography (1998), ch. 3.");
 }
 
 void add_levels(py::module_& m) {
@@ -96,16 +90,14 @@ void add_levels(py::module_& m) {
   add_formula(m, "noise_level_db", &noise_level_db, arg("spectral_level_db"), arg("bandwidth"),
               arg("directivity_index_db"), "NL + 10 log10 B - DI [dB re 1 uPa]; bandwidth [Hz].");
   // Closed forms of simple scenes.
-  add_formula(
-      m, "lambert_floor_intensity", &lambert_floor_intensity, arg("mu"), arg("altitude"), arg("azimuth_width"),
-      arg("bin_start"), arg("bin_end"), arg("absorption_db_per_m") = 0.0,
-      "Echo intensity, re the source's at 1 m, of a flat Lambert floor in one bin [m] of a beam [rad]: mu h^2 width "
-      "(r1^-4 - r2^-4)/4 without absorption [dB/m]. altitude h [m] > 0; nothing echoes from nearer.");
-  add_formula(
-      m, "lambert_wall_intensity", &lambert_wall_intensity, arg("mu"), arg("distance"), arg("azimuth"),
-      arg("azimuth_width"), arg("elevation_width"),
-      "The same of a plane Lambert wall across the acoustic axis at a distance [m], summed over all bins, without "
-      "absorption. Full angles [rad]; azimuth of the beam's middle within +-pi/2.");
+  add_formula(m, "lambert_floor_intensity", &lambert_floor_intensity, arg("mu"), arg("altitude"), arg("azimuth_width"),
+              arg("bin_start"), arg("bin_end"), arg("absorption_db_per_m") = 0.0,
+              "Echo intensity, re the source's at 1 m, of a flat Lambert floor in one bin [m] of a beam [rad]: mu h^2 "
+              "width (r1^-4 - r2^-4)/4 without absorption [dB/m]. altitude h [m] > 0; nothing echoes from nearer.");
+  add_formula(m, "lambert_wall_intensity", &lambert_wall_intensity, arg("mu"), arg("distance"), arg("azimuth"),
+              arg("azimuth_width"), arg("elevation_width"),
+              "The same of a plane Lambert wall across the acoustic axis at a distance [m], summed over all bins, "
+              "without absorption. Full angles [rad]; azimuth of the beam's middle within +-pi/2.");
   add_formula(m, "volume_reverberation_intensity", &volume_reverberation_intensity, arg("volume_backscatter"),
               arg("azimuth_width"), arg("elevation_width"), arg("bin_start"), arg("bin_end"),
               arg("absorption_db_per_m") = 0.0,
@@ -208,10 +200,9 @@ void add_surfaces(py::module_& m) {
   add_formula(
       m, "lambert_scatter", &lambert_scatter, arg("mu"), arg("incidence_in"), arg("incidence_out"),
       "Lambert's law between two directions, mu cos(in) cos(out), per unit area; angles from the normal [rad].");
-  add_formula(
-      m, "facet_scatter", &facet_scatter, arg("reflection"), arg("rms_slope"), arg("half_tilt"),
-      "facet_backscatter() between two directions on the side of the normal, by the angle between the normal and the "
-      "vector halfway between them [rad], 0 to pi/2.");
+  add_formula(m, "facet_scatter", &facet_scatter, arg("reflection"), arg("rms_slope"), arg("half_tilt"),
+              "facet_backscatter() between two directions on the side of the normal, by the angle between the normal "
+              "and the vector halfway between them [rad], 0 to pi/2.");
   m.def(
       "half_vector_tilt",
       [](const py::object& normal, const py::object& towards_source, const py::object& towards_receiver) {

@@ -4,12 +4,12 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include "arguments.h"
 #include "bind.h"
 #include "bind_config.h"
 #include "insonify/describe.h"
 #include "insonify/files.h"
 #include "insonify/scenario.h"
-#include "plain_values.h"
 
 namespace insonify::python {
 namespace {
@@ -72,13 +72,10 @@ void add_receivers_and_sonars(py::module_& module) {
   ConfigClass<SonarConfig> sonar(module, "SonarConfig", "An imaging sonar seen as a fan of beams cut into range bins.");
   sonar->def_static("preset", &preset,
                     "preset(name, /, mode='', **fields)\n\nThe sonar of a shipped or own preset, over the instrument's "
-                    "longest range. Keywords change "
-                    "fields; bin_count, "
-                    "ping_period and pulse_duration are those that the instrument has over the range window, unless "
-                    "they are given, by "
-                    "assumed_sound_speed or else that of Water(). insonify.preset_names() lists the names. Raises "
-                    "Error for an unknown "
-                    "name or mode, TypeError for an unknown field; warns of what the instrument cannot have.");
+                    "longest range. Keywords change fields; bin_count, ping_period and pulse_duration are those that "
+                    "the instrument has over the range window, unless they are given, by assumed_sound_speed or else "
+                    "that of Water(). insonify.preset_names() lists the names. Raises Error for an unknown name or "
+                    "mode, TypeError for an unknown field; warns of what the instrument cannot have.");
   sonar->def(
       "validate", [](const py::object& self) { unwrap<SonarConfig>(self, "sonar").validate(); },
       "Raises Error for the first field out of limits, or against a rule between fields.");
@@ -122,14 +119,7 @@ void add_materials(py::module_& module) {
           [](const Held<Material>& self, double frequency) { return self.value.transmission_at(frequency); },
           py::arg("frequency"), "|T| in sea water at normal incidence, at a frequency [Hz] > 0 (calibrated model).");
   module.def(
-      "material_library",
-      [] {
-        py::list all;
-        for (const Material& one : material_library()) {
-          all.append(wrap(one));
-        }
-        return all;
-      },
+      "material_library", [] { return wrap_all(material_library()); },
       "Every material known by name, in alphabetical order: a list of Material. Typical values, +-5 %.");
 }
 
@@ -178,7 +168,7 @@ void bind_configs(py::module_& module) {
   module.def("preset_names", &preset_names, "Names of all presets, those of INSONIFY_PRESETS included.");
   module.def(
       "load_trajectory",
-      [](const py::object& path) { return wrap_part(load_trajectory(path_from(path, "path")).waypoints); },
+      [](const py::object& path) { return wrap_all(load_trajectory(path_from(path, "path")).waypoints); },
       py::arg("path"), "Reads waypoints from a CSV or TUM file: a list of Waypoint.");
   scenario->def(
       "to_yaml", [](const py::object& self) { return to_yaml(unwrap<Scenario>(self, "")); },

@@ -9,11 +9,10 @@
 namespace insonify::python {
 
 void bind_geometry(py::module_& module) {
-  py::class_<Pose>(
-      module, "Pose",
-      "A rigid transform, named after both frames, result first: p_world = world_from_sonar * p_sonar.\n\n"
-      "World: right-handed, z up. Vehicle and sonar: x forward, y to port, z up. Made from a 4 x 4 matrix, from "
-      "(position, quaternion w x y z), or by Pose.rpy().")
+  py::class_<Pose>(module, "Pose",
+                   "A rigid transform, named after both frames, result first: p_world = world_from_sonar * p_sonar.\n\n"
+                   "World: right-handed, z up. Vehicle and sonar: x forward, y to port, z up. Made from a 4 x 4 "
+                   "matrix, from (position, quaternion w x y z), or by Pose.rpy().")
       .def(py::init([](const py::object& pose) { return pose.is_none() ? Pose() : pose_from(pose, "pose"); }),
            py::arg("pose") = py::none())
       .def_static(

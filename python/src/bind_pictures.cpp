@@ -5,12 +5,12 @@
 
 #include <cmath>
 
+#include "arguments.h"
 #include "bind.h"
 #include "convert.h"
 #include "insonify/files.h"
 #include "insonify/picture.h"
 #include "insonify/printable.h"
-#include "keywords.h"
 
 namespace insonify::python {
 namespace {
@@ -93,12 +93,11 @@ void add_drawing(py::module_& module, const char* name,
                  Picture (*draw)(const Ping&, const SonarConfig&, const Display&), const char* what) {
   const std::string help =
       std::string(what) +
-      "\n\nReturns an array uint8 [height, width, 3]. levels: colour range (low, high) in dB as "
-      "on the colour bar, None for what "
-      "fits this ping; for a film give the same to all. colour_map, or color_map: inferno (which None stands "
-      "for), copper, grey or blue. scale: linear or db; None: db "
-      "in the calibrated model, in which intensities are raised by 30 dB per decade of range. counts: draw the counts "
-      "instead, from 0 to the greatest, where the ping has any (receiver.counts).";
+      "\n\nReturns an array uint8 [height, width, 3]. levels: colour range (low, high) in dB as on the colour bar, "
+      "None for what fits this ping; for a film give the same to all. colour_map, or color_map: inferno (which None "
+      "stands for), copper, grey or blue. scale: linear or db; None: db in the calibrated model, in which intensities "
+      "are raised by 30 dB per decade of range. counts: draw the counts instead, from 0 to the greatest, where the "
+      "ping has any (receiver.counts).";
   module.def(
       name,
       [name, draw](const py::object& ping, const py::object& levels, const py::object& colour_map,
@@ -148,8 +147,7 @@ void bind_pictures(py::module_& module) {
         write_png(file, picture);
       },
       py::arg("path"), py::arg("rgb"),
-      "Writes a picture, an array uint8 [height, width, 3], to a file whose name ends "
-      "in .png.");
+      "Writes a picture, an array uint8 [height, width, 3], to a file whose name ends in .png.");
 }
 
 }  // namespace insonify::python

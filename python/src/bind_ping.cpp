@@ -78,7 +78,9 @@ std::shared_ptr<PythonPing> unpickled_ping(const py::tuple& state) {
   });
   SonarFacts facts{.sonar = unwrap<SonarConfig>(state[7], "sonar"),
                    .receiver = unwrap<ReceiverConfig>(state[9], "receiver")};
-  from_python(state[8], "model", 1, facts.model);
+  EnumWord model{detail::word_list<EchoModel>(), 0};
+  from_python(state[8], "model", 1, model);
+  facts.model = words_of<EchoModel>()[model.index].second;
   ping->facts = std::make_shared<SonarFacts>(std::move(facts));
   return ping;
 }
@@ -93,10 +95,9 @@ const PythonPing& ping_from(const py::object& given) {
 }
 
 void bind_ping(py::module_& module) {
-  PingClass ping(
-      module, "Ping",
-      "One ping. Tables are arrays [bins, beams] that share the ping's memory and keep it alive: beam 0 is the "
-      "one furthest to port, bin 0 the nearest. Tables that were not requested are None.");
+  PingClass ping(module, "Ping",
+                 "One ping. Tables are arrays [bins, beams] that share the ping's memory and keep it alive: beam 0 is "
+                 "the one furthest to port, bin 0 the nearest. Tables that were not requested are None.");
   ping.def_readonly("number", &PythonPing::number, "From 0.")
       .def_readonly("time", &PythonPing::time, "Time of transmission [s].")
       .def_readonly("pose", &PythonPing::world_from_sonar, "Pose of the sonar's housing in the world.")
@@ -124,11 +125,9 @@ void bind_ping(py::module_& module) {
       "plot(kind='fan', levels=None, ax=None, colour_map=None, *, color_map=None, counts=False)\n\n"
       "Draws the ping with matplotlib. Returns the axes.\n\n"
       "kind: \"fan\", in metres, or \"polar\", azimuth [deg] and range [m]. levels: colour range (low, high) in dB as "
-      "on "
-      "the colour bar; None: fitted to this ping, as in insonify.fan(). ax: axes to draw in; None: a new figure. "
+      "on the colour bar; None: fitted to this ping, as in insonify.fan(). ax: axes to draw in; None: a new figure. "
       "colour_map, or color_map: a name that matplotlib knows; None for inferno. counts: draw the counts instead, from "
-      "0 "
-      "to the greatest, where the ping has any (receiver.counts).\n\n"
+      "0 to the greatest, where the ping has any (receiver.counts).\n\n"
       "Raises Error if there are none, ImportError without matplotlib.");
   ping.def(py::pickle(&pickled_ping, &unpickled_ping));
   ping.def("__repr__", [](const PythonPing& self) {

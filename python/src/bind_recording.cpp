@@ -182,12 +182,10 @@ void bind_recording(py::module_& module) {
       module, "RecordedPings",
       "A recording's pings, read on demand: rec[3], len(rec), `for ping in rec`.\n\n"
       "path: an HDF5 or MCAP file as `insonify run` writes, perhaps still growing: it has the pings that it had when "
-      "it "
-      "was opened. sonar: which one of an MCAP file that holds several. Raises Error for a file that is none, and for "
-      "a "
-      "sonar that it does not have, naming those that it has.\n\n"
-      "MCAP has no ground truth, and intensities as levels: rec.intensity.description says their steps, 0.0009 dB "
-      "by default; 0 below the lowest level, clipped at the highest.\n\n"
+      "it was opened. sonar: which one of an MCAP file that holds several. Raises Error for a file that is none, and "
+      "for a sonar that it does not have, naming those that it has.\n\n"
+      "MCAP has no ground truth, and intensities as levels: rec.intensity.description says their steps, 0.0009 dB by "
+      "default; 0 below the lowest level, clipped at the highest.\n\n"
       "Layers such as rec.intensity and rec.instance are RecordedLayers: rec.instance[3, 100:200] reads that much and "
       "no more, np.asarray(rec.instance) reads all.");
   recorded
@@ -198,8 +196,7 @@ void bind_recording(py::module_& module) {
       .def("__len__", [](const PythonRecording& self) { return self.ping_count(); })
       .def("__getitem__", &recorded_item, py::arg("number"),
            "The ping of that number from 0, from the end where negative; of a slice a list of pings. Their tables are "
-           "read when they are asked for. "
-           "Raises IndexError.")
+           "read when they are asked for. Raises IndexError.")
       .def("__iter__",
            [](const py::object& self) { return py::reinterpret_steal<py::object>(PySeqIter_New(self.ptr())); })
       .def_property_readonly(
@@ -217,8 +214,7 @@ void bind_recording(py::module_& module) {
       .def_property_readonly(
           "state", [](const PythonRecording& self) { return state_word(self.state); },
           "How it ended, as it was when it was opened: \"whole\"; \"growing\" while a run writes it; \"unfinished\" "
-          "where "
-          "that run was killed; \"disk_full\" where it ends early because the disk was full.")
+          "where that run was killed; \"disk_full\" where it ends early because the disk was full.")
       .def("_unfinished_text",
            [](const PythonRecording& self) {
              const bool ends_early =

@@ -56,8 +56,7 @@ std::unique_ptr<RecordingInPython> start_recording(const py::object& given, Pyth
   if (path.extension() != ".h5" && path.extension() != ".hdf5") {
     throw Error(
         "", "path",
-        fmt::format(" = {} must end in .h5 or .hdf5: a Recording is HDF5; insonify.export() writes other formats "
-                    "of it",
+        fmt::format(" = {} must end in .h5 or .hdf5: a Recording is HDF5; insonify.export() writes other formats of it",
                     path.string()));
   }
   const int sonar = simulator.sonar(sonar_);
@@ -72,14 +71,13 @@ void bind_recording_writer(py::module_& module) {
   py::class_<RecordingInPython>(
       module, "Recording",
       "Writes one sonar's pings to an HDF5 file, ping by ping; the file is complete at any moment.\n\n"
-      "path: the file. simulator, sonar: source of the pings. compress: by HDF5's own filters. replace: whether "
-      "to replace an existing file. Raises Error if it cannot be made. Use it in a `with`.")
+      "path: the file. simulator, sonar: source of the pings. compress: by HDF5's own filters. replace: whether to "
+      "replace an existing file. Raises Error if it cannot be made. Use it in a `with`.")
       .def(py::init(&start_recording), py::arg("path"), py::arg("simulator"), py::arg("sonar") = 0, py::kw_only(),
            py::arg("compress") = false, py::arg("replace") = false)
       .def(
           "add", [](RecordingInPython& self, const py::object& ping) { self.add(ping_from(ping)); }, py::arg("ping"),
-          "Raises Error for a ping made with other settings, and if the disk is full; earlier pings stay "
-          "readable.")
+          "Raises Error for a ping made with other settings, and if the disk is full; earlier pings stay readable.")
       .def(
           "close", [](RecordingInPython& self) { self.end(false); },
           "Flushes everything to disk and replaces an existing file. After a `with` that failed, the existing file "

@@ -122,18 +122,14 @@ void bind_scene(py::module_& module) {
           py::arg("path"), py::arg("collisions") = false, py::arg("strict") = false, py::arg("ignore") = py::tuple(),
           "Reads an SDF world or model, a mesh (OBJ, STL, DAE, PLY, glTF) or a height grid.\n\n"
           "collisions: take SDF's collision shapes instead of its visuals. strict: raise Error for a model or a file "
-          "that "
-          "is missing, instead of leaving it out with a warning. ignore: patterns of the names of objects to leave "
-          "out, such as [\"water_surface*\"]. Raises Error with the path.")
+          "that is missing, instead of leaving it out with a warning. ignore: patterns of the names of objects to "
+          "leave out, such as [\"water_surface*\"]. Raises Error with the path.")
       .def("add", &add, py::arg("name"), py::arg("vertices"), py::arg("faces"), py::arg("material") = "sand",
            py::arg("pose") = py::none(),
            "Adds a mesh.\n\nvertices: array [n, 3] in metres. faces: array [m, 3] of indices from 0. material: name of "
-           "a library "
-           "material or of one of the scenario's `materials`, or a list of names, one for each face. pose: where the "
-           "mesh is, "
-           "as of Simulator.ping(). Raises Error for a name that exists already, and for an invalid mesh; warns of "
-           "dropped "
-           "faces. An unknown material is an Error of the Simulator made with the scene.")
+           "a library material or of one of the scenario's `materials`, or a list of names, one for each face. pose: "
+           "where the mesh is, as of Simulator.ping(). Raises Error for a name that exists already, and for an invalid "
+           "mesh; warns of dropped faces. An unknown material is an Error of the Simulator made with the scene.")
       .def_property_readonly(
           "instance_names", [](const Scene& self) { return names_of(self.instances); },
           "Names by index in Ping.instance.")

@@ -9,8 +9,8 @@
 
 #include "bind.h"
 #include "convert.h"
-#include "insonify/field.h"
 #include "insonify/recorded_pings.h"
+#include "insonify/settings_table.h"
 #include "insonify/similarity.h"
 #include "python_types.h"
 
@@ -39,26 +39,19 @@ py::array_t<double> array_of(const GreyPicture& picture) {
 template <typename Measures>
 void add_measures(py::module_& module, const py::module_& described, const char* name, const char* help) {
   py::class_<Measures> measures(module, name, help);
-  int index = 0;
-  const Measures none{};
-  Measures::visit_fields(none, [&](const Field& field, const double&) {
-    const int wanted = index++;
-    const auto get = [wanted](const Measures& self) {
-      double value = 0;
-      int at = 0;
-      Measures::visit_fields(self, [&](const Field&, double one) { value = at++ == wanted ? one : value; });
-      return value;
-    };
+  for (const FieldEntry& field : table_of<Measures>().fields) {
+    const auto get = [&field](const Measures& self) { return *static_cast<const double*>(field.in(&self)); };
     const std::string text = std::string(field.help) + " [" +
                              (field.unit.empty() ? "" : std::string(field.unit) + ", ") + field.limits.text() + "]";
     measures.def_property_readonly(std::string(field.name).c_str(), get, text.c_str());
     describe(described, name, std::string(field.name), {"float", ""});
-  });
+  }
   measures.def("__repr__", [name = std::string(name)](const Measures& self) {
     std::string text;
-    Measures::visit_fields(self, [&](const Field& field, double value) {
-      text += fmt::format("{}{}={:.6g}", text.empty() ? "" : ", ", field.name, value);
-    });
+    for (const FieldEntry& field : table_of<Measures>().fields) {
+      text += fmt::format("{}{}={:.6g}", text.empty() ? "" : ", ", field.name,
+                          *static_cast<const double*>(field.in(&self)));
+    }
     return name + "(" + text + ")";
   });
 }
@@ -80,11 +73,11 @@ void add_control(py::module_& module, const char* name, GreyPicture (*control)(c
 }  // namespace
 
 void bind_similarity(py::module_& module) {
-  py::module_ m = module.def_submodule(
-      "similarity",
-      "Similarity measures of two pictures, as `insonify compare` prints them. Pictures are arrays [rows, columns] of "
-      "levels from 0 to 1; in those of pings the rows are ranges. insonify.compare() takes recordings. Pictures of "
-      "unequal shape raise Error.");
+  py::module_ m =
+      module.def_submodule("similarity",
+                           "Similarity measures of two pictures, as `insonify compare` prints them. Pictures are "
+                           "arrays [rows, columns] of levels from 0 to 1; in those of pings the rows are ranges. "
+                           "insonify.compare() takes recordings. Pictures of unequal shape raise Error.");
   add_measures<Similarity>(m, module, "Similarity", "Similarity measures of two pictures.");
   add_measures<NormalisedSimilarity>(m, module, "NormalisedSimilarity",
                                      "The measures scaled to 0 (none) to 1 (equal): larger is better for each.");
@@ -93,10 +86,9 @@ void bind_similarity(py::module_& module) {
   add_measure(m, "ssim", &ssim,
               "Structural similarity, -1 to 1, of pictures of at least 11 x 11 pixels. Wang, Bovik, Sheikh and "
               "Simoncelli, IEEE Trans. Image Processing 13(4), 600 (2004).");
-  add_measure(
-      m, "ms_ssim", &ms_ssim,
-      "Structural similarity at five scales, 0 to 1, of pictures of at least 176 x 176 pixels. Wang, Simoncelli "
-      "and Bovik, 37th Asilomar Conference (2003).");
+  add_measure(m, "ms_ssim", &ms_ssim,
+              "Structural similarity at five scales, 0 to 1, of pictures of at least 176 x 176 pixels. Wang, "
+              "Simoncelli and Bovik, 37th Asilomar Conference (2003).");
   add_measure(m, "correlation", &correlation, "Pearson correlation of the pixels, -1 to 1; 0 for a constant picture.");
   m.def(
       "ks_distance",
@@ -118,17 +110,13 @@ void bind_similarity(py::module_& module) {
       "_mean",
       [](const std::vector<Similarity>& all) {
         Similarity mean = all.at(0);
-        std::vector<double> sums;
-        for (const Similarity& one : all) {
-          std::size_t at = 0;
-          Similarity::visit_fields(one, [&](const Field&, double value) {
-            at < sums.size() ? void(sums[at] += value) : sums.push_back(value);
-            ++at;
-          });
+        for (const FieldEntry& field : table_of<Similarity>().fields) {
+          double& value = *static_cast<double*>(field.in(&mean));
+          for (std::size_t i = 1; i < all.size(); ++i) {
+            value += *static_cast<const double*>(field.in(&all[i]));
+          }
+          value /= static_cast<double>(all.size());
         }
-        auto sum = sums.begin();
-        Similarity::visit_fields(
-            mean, [&](const Field&, double& value) { value = *sum++ / static_cast<double>(all.size()); });
         return mean;
       },
       py::arg("similarities"));
@@ -148,8 +136,7 @@ void bind_similarity(py::module_& module) {
       },
       py::arg("picture"), py::arg("ms_ssim") = true,
       "Similarity of each control to its picture, by name: a simulated picture is evidence for the simulator only if "
-      "it "
-      "scores higher than these.");
+      "it scores higher than these.");
   m.def(
       "load_grey_picture", [](const py::object& path) { return array_of(load_grey_picture(path_from(path, "path"))); },
       py::arg("path"),

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
+#include "arguments.h"
 #include "bind.h"
 #include "held.h"
 #include "insonify/files.h"
-#include "keywords.h"
 #include "ping_batch.h"
 #include "python_simulator.h"
 
@@ -148,13 +148,11 @@ void bind_simulator(py::module_& module) {
       .def("ping_batch", &ping_batch, py::arg("sonar"), py::arg("poses"), py::arg("times") = py::none(),
            "Makes a ping at each of many poses. Returns a dict of arrays, as the tables of Ping, with a leading axis: "
            "\"intensity\" is [poses, bins, beams].\n\nposes: poses or PingRequests, in a list or a generator; or an "
-           "array "
-           "[n, 4, 4]; or one [n, 7] of positions and quaternions w x y z, as RecordedPings.world_from_sonar; or these "
-           "two as a tuple of arrays [n, 3] and [n, 4]. times: n numbers [s].\n\nThreads make a ping each, unless "
-           "something in the scene moves (a scenario's motions, a sea "
-           "surface): "
-           "then they share each ping. The pings are those of ping(), one after the other, byte for byte. Raises Error "
-           "for the first invalid one, and KeyboardInterrupt within 64 pings of Control-C.")
+           "array [n, 4, 4]; or one [n, 7] of positions and quaternions w x y z, as RecordedPings.world_from_sonar; or "
+           "these two as a tuple of arrays [n, 3] and [n, 4]. times: n numbers [s].\n\nThreads make a ping each, "
+           "unless something in the scene moves (a scenario's motions, a sea surface): then they share each ping. The "
+           "pings are those of ping(), one after the other, byte for byte. Raises Error for the first invalid one, and "
+           "KeyboardInterrupt within 64 pings of Control-C.")
       .def("_time_ping",
            [](PythonSimulator& self, const py::object& sonar_, const py::object& pose, const py::object& number) {
              const int sonar = self.sonar(sonar_);
@@ -182,8 +180,7 @@ void bind_simulator(py::module_& module) {
           },
           py::arg("sonar"), py::arg("config"),
           "Changes range, gain, beams or all of a sonar but its name, from the next ping on. Raises Error for a name "
-          "that "
-          "is another one, unless it is the default's:\n\n"
+          "that is another one, unless it is the default's:\n\n"
           "    config = sim.sonar(\"fls\").copy()\n    config.max_range = 3\n    sim.set_sonar(\"fls\", config)")
       .def(
           "add",

@@ -211,8 +211,13 @@ void from_python(py::handle value, const std::string& name, double /*scale*/, st
   member = list_from<std::string>(value, name, "a list of texts");
 }
 
-void refuse_word(py::handle value, const std::string& name, const std::vector<std::string>& words) {
-  refuse(value, name, fmt::format("{}", fmt::join(words, ", ")));
+void from_python(py::handle value, const std::string& name, double /*scale*/, EnumWord& member) {
+  const std::vector<std::string_view>& words = member.list->words;
+  const auto word = py::isinstance<py::str>(value) ? std::ranges::find(words, value.cast<std::string>()) : words.end();
+  if (word == words.end()) {
+    refuse(value, name, fmt::format("{}", fmt::join(words, ", ")));
+  }
+  member.index = static_cast<std::size_t>(word - words.begin());
 }
 
 std::pair<double, double> levels_from(py::handle value) {

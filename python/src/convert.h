@@ -7,13 +7,12 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "insonify/error.h"
 #include "insonify/geometry.h"
-#include "insonify/words.h"
+#include "insonify/settings_table.h"
 
 namespace insonify::python {
 
@@ -50,9 +49,8 @@ py::object to_python(const std::vector<double>& value, double scale);
 py::object to_python(const std::vector<int>& value, double scale);
 py::object to_python(const std::vector<std::string>& value, double scale);
 
-template <typename Enum>
-requires std::is_enum_v<Enum> py::object to_python(Enum value, double /*scale*/) {
-  return py::str(std::string(word_of(value)));
+inline py::object to_python(const EnumWord& value, double /*scale*/) {
+  return py::str(std::string(value.text()));
 }
 template <typename T>
 py::object to_python(const std::optional<T>& value, double scale) {
@@ -71,29 +69,13 @@ void from_python(py::handle value, const std::string& name, double scale, Vec3& 
 void from_python(py::handle value, const std::string& name, double scale, std::vector<double>& member);
 void from_python(py::handle value, const std::string& name, double scale, std::vector<int>& member);
 void from_python(py::handle value, const std::string& name, double scale, std::vector<std::string>& member);
+void from_python(py::handle value, const std::string& name, double scale, EnumWord& member);
 
 /// A path from text or anything with __fspath__.
 [[nodiscard]] inline std::filesystem::path path_from(py::handle value, const std::string& name) {
   std::filesystem::path path;
   from_python(value, name, 1, path);
   return path;
-}
-
-/// @throws Error listing the known words.
-[[noreturn]] void refuse_word(py::handle value, const std::string& name, const std::vector<std::string>& words);
-
-template <typename Enum>
-requires std::is_enum_v<Enum>
-void from_python(py::handle value, const std::string& name, double /*scale*/, Enum& member) {
-  std::vector<std::string> words;
-  for (const auto& [word, meaning] : words_of<Enum>()) {
-    if (py::isinstance<py::str>(value) && value.cast<std::string>() == word) {
-      member = meaning;
-      return;
-    }
-    words.emplace_back(word);
-  }
-  refuse_word(value, name, words);
 }
 
 template <typename T>

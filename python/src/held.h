@@ -2,28 +2,29 @@
 
 #pragma once
 
-#include <fmt/format.h>
 #include <pybind11/pybind11.h>
 
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "convert.h"
-#include "insonify/field.h"
 #include "insonify/files.h"
+#include "insonify/scenario.h"
 
 namespace insonify::python {
+
+/// The parts of a configuration as Python objects, by their names.
+using Parts = std::map<std::string, py::object>;
 
 /// The contents of a Python object of a configuration's class. Parts (a struct, an optional one, a list or a dict of
 /// them) are Python objects: `sonar = scenario.sonars[0]` stays valid when the list changes, and changing it changes
 /// the scenario.
 template <typename Config>
 struct Held {
-  Config value = {};                        ///< Its parts are those it was made with, perhaps no longer current.
-  std::map<std::string, py::object> parts;  ///< By the part's name.
-  const char* frozen = nullptr;             ///< Why its fields and parts cannot be set; null where they can.
+  Config value = {};             ///< Its parts are those it was made with, perhaps no longer current.
+  Parts parts;                   ///< As they are now.
+  const char* frozen = nullptr;  ///< Why its fields and parts cannot be set; null where they can.
 };
 
 // A frozen object refuses changes, which would have no effect; its copy() can be changed.
@@ -40,88 +41,31 @@ py::object wrap(const Config& config, const char* frozen = nullptr);
 template <typename Config>
 Config unwrap(py::handle object, const std::string& name);
 
-// A part as a Python object.
-template <typename Config>
-py::object wrap_part(const Config& part, const char* frozen = nullptr) {
-  return wrap(part, frozen);
-}
-template <typename Config>
-py::object wrap_part(const std::optional<Config>& part, const char* frozen = nullptr) {
-  return part ? wrap(*part, frozen) : py::none();
-}
-template <typename Config>
-py::object wrap_part(const std::vector<Config>& part, const char* frozen = nullptr) {
-  py::list list;
-  for (const Config& config : part) {
-    list.append(wrap(config, frozen));
-  }
-  return frozen == nullptr ? py::object(list) : py::object(py::tuple(list));
-}
-template <typename Config>
-py::object wrap_part(const std::map<std::string, Config>& part, const char* frozen = nullptr) {
-  py::dict dict;
-  for (const auto& [key, config] : part) {
-    dict[py::str(key)] = wrap(config, frozen);
-  }
-  return frozen == nullptr ? py::object(dict) : py::reinterpret_steal<py::object>(PyDictProxy_New(dict.ptr()));
-}
+/// The Python class of a configuration, for code that knows only its table.
+struct HeldClass {
+  std::string name;
+  py::object (*wrap)(const void* config, const char* frozen);
+  void (*unwrap)(py::handle object, const std::string& name, void* config);
+};
+/// The class of a table; a new one for a table that has none yet.
+[[nodiscard]] HeldClass& class_of(const SettingsTable& table);
 
-/// Whether it is a dict, or a frozen object's read-only view of one.
-inline bool is_mapping(py::handle object) {
-  return py::isinstance<py::dict>(object) || Py_IS_TYPE(object.ptr(), &PyDictProxy_Type);
-}
+[[nodiscard]] Parts wrap_parts(ConstSettings settings, const char* frozen);
+
+/// Sets one part, or all of them, from Python objects.
+/// @throws Error about `name` for objects of another class.
+void unwrap_part(py::handle object, const std::string& name, const PartEntry& part, void* config);
+void unwrap_parts(const Parts& parts, const std::string& name, Settings settings);
 
 /// A part, with the tuple or view of a frozen object converted back to a list or dict.
-inline py::object thawed(const py::object& part) {
-  return py::isinstance<py::tuple>(part) ? py::object(py::list(part))
-         : is_mapping(part)              ? py::object(py::dict(part))
-                                         : part;
-}
+[[nodiscard]] py::object thawed(const py::object& part);
 
-// The way back.
-template <typename Config>
-void unwrap_part(py::handle object, const std::string& name, Config& part) {
-  part = unwrap<Config>(object, name);
-}
-template <typename Config>
-void unwrap_part(py::handle object, const std::string& name, std::optional<Config>& part) {
-  part = object.is_none() ? std::nullopt : std::optional(unwrap<Config>(object, name));
-}
-template <typename Config>
-void unwrap_part(py::handle object, const std::string& name, std::vector<Config>& part) {
-  if (py::isinstance<py::str>(object) || PySequence_Check(object.ptr()) == 0) {
-    throw Error("", name, fmt::format(" = {} must be a list", shown(object)));
-  }
-  const auto items = py::reinterpret_borrow<py::sequence>(object);
-  part.clear();
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    part.push_back(unwrap<Config>(items[i], fmt::format("{}[{}]", name, i)));
-  }
-}
-template <typename Config>
-void unwrap_part(py::handle object, const std::string& name, std::map<std::string, Config>& part) {
-  if (!is_mapping(object)) {
-    throw Error("", name, fmt::format(" = {} must be a dict", shown(object)));
-  }
-  part.clear();
-  for (const std::pair<py::handle, py::handle> item : py::dict(py::reinterpret_borrow<py::object>(object))) {
-    const py::handle key = item.first, value = item.second;
-    if (!py::isinstance<py::str>(key)) {
-      throw Error("", name, fmt::format(" has the key {}, must be text", shown(key)));
-    }
-    part[key.cast<std::string>()] = unwrap<Config>(value, member_name(name, key.cast<std::string>()));
-  }
-}
+/// @throws Error "sonars[0] = 3 must be a SonarConfig"
+[[noreturn]] void refuse_class(py::handle object, const std::string& name, const std::string& expected);
 
 template <typename Config>
 py::object wrap(const Config& config, const char* frozen) {
-  Held<Config> held{config, {}, frozen};
-  if constexpr (HasParts<Config>) {
-    Config::visit_parts(config, [&](const Part& part, const auto& member) {
-      held.parts[std::string(part.name)] = wrap_part(member, frozen);
-    });
-  }
-  return py::cast(std::move(held));
+  return py::cast(Held<Config>{config, wrap_parts(config, frozen), frozen});
 }
 
 /// A scenario's text and places are valid only until something is changed.
@@ -144,22 +88,27 @@ Config unwrap(py::handle object, const std::string& name) {
     }
   }
   if (!py::isinstance<Held<Config>>(object)) {
-    const std::string expected = py::str(py::type::of<Held<Config>>().attr("__name__"));
-    throw Error("", name, fmt::format(" = {} must be a {}", shown(object), expected));
+    refuse_class(object, name, class_of(table_of<Config>()).name);
   }
   const auto& held = object.cast<const Held<Config>&>();
   Config config = held.value;
-  if constexpr (HasParts<Config>) {
-    Config::visit_parts(config, [&](const Part& part, auto& member) {
-      unwrap_part(held.parts.at(std::string(part.name)), member_name(name, part.name), member);
-    });
-  }
+  unwrap_parts(held.parts, name, config);
   if constexpr (std::is_same_v<Config, Scenario>) {
     if (!config.text.empty() && to_yaml(config) != to_yaml(held.value)) {  // A part was changed.
       forget_text(config);
     }
   }
   return config;
+}
+
+/// Configurations as a Python list.
+template <typename Configs>
+py::list wrap_all(const Configs& configs) {
+  py::list list;
+  for (const auto& config : configs) {
+    list.append(wrap(config));
+  }
+  return list;
 }
 
 }  // namespace insonify::python

@@ -21,8 +21,7 @@ template <typename Visit>
 void visit_tables(Visit&& visit) {
   visit("intensity", &Ping::intensity,
         "Echo intensity, float32: relative to the source's at 1 m, raw and linear (from about 1e-20: see to_db()); 0 "
-        "to 1 "
-        "in the paper model.");
+        "to 1 in the paper model.");
   visit("field", &Ping::field, "Complex field, complex64, whose squared magnitude is the intensity.");
   visit("counts", &Ping::counts, "Counts of the instrument, uint16.");
   visit("instance", &Ping::instance,

@@ -2,13 +2,13 @@
 
 #pragma once
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <pybind11/pybind11.h>
 
 #include <complex>
 #include <cstdint>
 #include <filesystem>
-#include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,11 +20,6 @@ namespace insonify::python {
 struct PythonType {
   std::string read, given;
 };
-
-template <typename T>
-struct IsOptional : std::false_type {};
-template <typename T>
-struct IsOptional<std::optional<T>> : std::true_type {};
 
 template <typename Member>
 PythonType field_type() {
@@ -46,37 +41,41 @@ PythonType field_type() {
     return {"tuple[int, ...]", "Sequence[int]"};
   } else if constexpr (std::is_same_v<Member, std::vector<std::string>>) {
     return {"tuple[str, ...]", "Sequence[str]"};
-  } else if constexpr (std::is_enum_v<Member>) {
-    std::string words;
-    for (const auto& [word, meaning] : words_of<Member>()) {
-      words += (words.empty() ? "\"" : ", \"") + std::string(word) + "\"";
-    }
-    return {"Literal[" + words + "]", "Literal[" + words + "]"};
   } else {
-    static_assert(IsOptional<Member>::value);
-    const PythonType inner = field_type<typename Member::value_type>();
+    const PythonType inner = field_type<typename Member::value_type>();  // Of an optional.
     return {inner.read + " | None", inner.given + " | None"};
   }
 }
 
-template <typename Config>
-std::string class_name() {
-  return py::str(py::type::of<Held<Config>>().attr("__name__")).cast<std::string>();
+/// Type stub of a field.
+inline PythonType python_type(const FieldEntry& field) {
+  if (field.words != nullptr) {
+    const std::string words = fmt::format("Literal[\"{}\"]", fmt::join(field.words->words, "\", \""));
+    return {words, words};
+  }
+  return std::visit(
+      []<typename Member>(Member*) {
+        if constexpr (std::is_same_v<Member, EnumWord>) {
+          return PythonType{};
+        } else {
+          return field_type<Member>();
+        }
+      },
+      field.type);
 }
 
 /// Type stub of a part: a struct, an optional one, a list or a dict of them.
-template <typename Member>
-std::string part_type() {
-  if constexpr (IsOptional<Member>::value) {
-    return class_name<typename Member::value_type>() + " | None";
-  } else if constexpr (requires { typename Member::mapped_type; }) {
-    const std::string name = class_name<typename Member::mapped_type>();
-    const bool by_name = std::is_same_v<typename Member::mapped_type, MaterialOverride>;  // "steel" is one too.
-    return "dict[str, " + name + (by_name ? " | str]" : "]");
-  } else if constexpr (requires { typename Member::value_type; }) {
-    return "list[" + class_name<typename Member::value_type>() + "]";
-  } else {
-    return class_name<Member>();
+inline std::string part_type(const PartEntry& part) {
+  const std::string& name = class_of(*part.table).name;
+  switch (part.shape) {
+    case PartShape::kOptional:
+      return name + " | None";
+    case PartShape::kList:
+      return "list[" + name + "]";
+    case PartShape::kMap:  // Of materials, of which "steel" is one too.
+      return "dict[str, " + name + " | str]";
+    default:
+      return name;
   }
 }
 

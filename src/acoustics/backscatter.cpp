@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "acoustics/argument.h"
+#include "acoustics/formula.h"
 #include "base/square.h"
 
 namespace insonify {

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <string_view>
 
-#include "acoustics/argument.h"
+#include "acoustics/formula.h"
 #include "acoustics/power_law_relief.h"
 #include "base/square.h"
 #include "insonify/geometry.h"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "acoustics/argument.h"
+#include "acoustics/formula.h"
 
 namespace insonify {
 namespace {

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string_view>
 
-#include "acoustics/argument.h"
+#include "acoustics/formula.h"
 #include "base/square.h"
 
 namespace insonify {

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-#include "acoustics/argument.h"
-#include "base/canonical_name.h"
+#include "acoustics/formula.h"
+#include "base/names.h"
 #include "insonify/acoustics/reflection.h"
 
 namespace insonify {

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "acoustics/argument.h"
+#include "acoustics/formula.h"
 #include "base/square.h"
 #include "insonify/acoustics/absorption.h"
 #include "insonify/error.h"

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "acoustics/argument.h"
+#include "acoustics/formula.h"
 #include "insonify/error.h"
 #include "insonify/geometry.h"
 

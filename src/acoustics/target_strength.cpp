@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string_view>
 
-#include "acoustics/argument.h"
+#include "acoustics/formula.h"
 #include "acoustics/fresnel.h"
 #include "base/square.h"
 

@@ -7,6 +7,10 @@
 
 namespace insonify {
 
+void Water::validate() const {
+  check_fields("water", *this);
+}
+
 double Water::true_sound_speed() const {
   return sound_speed ? *sound_speed : chen_millero_sound_speed(temperature_c, salinity, depth);
 }

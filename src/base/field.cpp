@@ -1,4 +1,4 @@
-// field.cpp -- formats limits as text, and the error message for a value outside them.
+// field.cpp -- formats limits as text, checks values against them, and lists the structs of a part.
 
 #include "insonify/field.h"
 
@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "insonify/error.h"
+#include "insonify/settings_table.h"
 
 namespace insonify {
 namespace {
@@ -71,6 +72,47 @@ void check_field(std::string_view object, const Field& field, double value, int 
   const std::string name = file_name_of(field) + (index < 0 ? "" : fmt::format("[{}]", index));
   throw Error(object, name,
               fmt::format(" = {} must be {}", with_unit(number(value * scale), file_unit_of(field)), must));
+}
+
+bool FieldEntry::equal(const void* config, const void* other) const {
+  return get(config, [&]<typename Member>(const Member& member) {
+    const void* place = in(other);
+    if constexpr (std::is_same_v<Member, EnumWord>) {
+      return member.index == words->get(place);
+    } else {
+      return member == *static_cast<const Member*>(place);
+    }
+  });
+}
+
+void FieldEntry::copy(const void* from, void* to) const {
+  change(to, [&]<typename Member>(Member& member) {
+    const void* place = in(from);
+    if constexpr (std::is_same_v<Member, EnumWord>) {
+      member.index = words->get(place);
+    } else {
+      member = *static_cast<const Member*>(place);
+    }
+  });
+}
+
+std::vector<PartEntry::Entry> PartEntry::entries(const void* config) const {
+  std::vector<Entry> all;
+  for (const auto& [suffix, place] : list_at(static_cast<const std::byte*>(config) + offset)) {
+    all.push_back({suffix, {*table, place}});
+  }
+  return all;
+}
+
+void check_fields(std::string_view object, ConstSettings settings) {
+  for (const FieldEntry& field : settings.table->fields) {
+    field.get(settings.config, [&](const auto& member) { check_member(object, field, member); });
+  }
+  for (const PartEntry& part : settings.table->parts) {
+    for (const auto& [suffix, entry] : part.entries(settings.config)) {
+      check_fields(member_name(object, part.name) + suffix, entry);
+    }
+  }
 }
 
 }  // namespace insonify

@@ -5,10 +5,15 @@
 #include <string_view>
 
 #include "insonify/log.h"
+#include "insonify/printable.h"
 
 namespace insonify {
 
 /// Passes `message`, made printable, to `log` unless that is empty.
-void log_line(const Log& log, Severity severity, std::string_view message);
+inline void log_line(const Log& log, Severity severity, std::string_view message) {
+  if (log) {
+    log(severity, printable(message, kLongestMessage));
+  }
+}
 
 }  // namespace insonify

@@ -9,6 +9,10 @@
 
 namespace insonify {
 
+void Display::validate() const {
+  check_fields("display", *this);
+}
+
 Ping raised_by_range(Ping ping, const SonarConfig& sonar, double decibels_per_decade) {
   for (int bin = 0; bin < ping.bin_count; ++bin) {
     const auto gain = static_cast<float>(std::pow(sonar.bin_range(bin), decibels_per_decade / 10));

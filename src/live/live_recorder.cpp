@@ -11,7 +11,6 @@
 #include "insonify/printable.h"
 #include "insonify/recording_info.h"
 #include "io/file/unfinished_file.h"
-#include "io/file/write_at.h"
 
 namespace insonify {
 namespace {

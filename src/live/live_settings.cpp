@@ -5,8 +5,7 @@
 #include <algorithm>
 
 #include "insonify/files.h"
-#include "io/scenario/scenario_keys.h"
-#include "io/scenario/yaml_settings.h"
+#include "io/scenario/yaml_read.h"
 
 namespace insonify {
 namespace {
@@ -19,7 +18,7 @@ std::string with_settings(const std::string& text, const std::filesystem::path& 
                           std::span<const std::string> settings) {
   YamlValue tree = parse_yaml(text, path.string());
   for (const std::string& setting : settings) {
-    apply_setting(tree, setting, scenario_keys(), sonar_keys(), part_keys());
+    apply_setting(tree, setting);
   }
   return write_yaml(tree);
 }

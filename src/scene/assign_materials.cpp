@@ -7,7 +7,7 @@
 #include <set>
 
 #include "base/log_line.h"
-#include "base/nearest_name.h"
+#include "base/names.h"
 #include "insonify/error.h"
 #include "insonify/printable.h"
 #include "insonify/scene.h"

@@ -8,8 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/canonical_name.h"
-#include "base/nearest_name.h"
+#include "base/names.h"
 #include "insonify/printable.h"
 #include "scene/material_library.h"
 

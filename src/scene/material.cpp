@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "acoustics/solid_reflection.h"
-#include "base/canonical_name.h"
+#include "base/names.h"
 #include "insonify/acoustics/reflection.h"
 #include "scene/material_library.h"
 #include "scene/sea_scattering.h"

@@ -16,7 +16,7 @@ namespace insonify {
 [[nodiscard]] double reflectance_left(double lambert_db);
 
 /// The library's name for another common name of a material ("aluminum"), or `name` itself. Takes and
-/// returns canonical names (canonical_name.h).
+/// returns canonical names (base/names.h).
 [[nodiscard]] const std::string& resolve_alias(const std::string& name);
 
 /// Every name that find_material() knows, aliases included.

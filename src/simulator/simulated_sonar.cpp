@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "base/name_hash.h"
+#include "base/names.h"
 #include "echo/model/flat_plan.h"
 #include "insonify/error.h"
 #include "receiver/array/line_array.h"

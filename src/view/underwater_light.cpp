@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "base/name_hash.h"
+#include "base/names.h"
 
 namespace insonify {
 namespace {

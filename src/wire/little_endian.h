@@ -14,13 +14,15 @@ namespace insonify {
 
 static_assert(std::endian::native == std::endian::little, "numbers are written as they lie in memory");
 
-/// Appends a number.
-template <typename Number>
-requires std::is_arithmetic_v<Number>
-void put(std::vector<std::uint8_t>& bytes, Number value) {
-  const std::size_t end = bytes.size();
-  bytes.resize(end + sizeof value);
-  std::memcpy(bytes.data() + end, &value, sizeof value);
+/// Appends numbers, one after the other.
+template <typename... Numbers>
+requires(std::is_arithmetic_v<Numbers>&&...) void put(std::vector<std::uint8_t>& bytes, Numbers... values) {
+  const auto append = [&](const auto& value) {
+    const std::size_t end = bytes.size();
+    bytes.resize(end + sizeof value);
+    std::memcpy(bytes.data() + end, &value, sizeof value);
+  };
+  (append(values), ...);
 }
 
 /// Reads numbers one after the other. The caller has checked that there are enough bytes.
@@ -28,10 +30,13 @@ class PacketReader {
  public:
   explicit PacketReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
 
-  template <typename Number>
-  void get(Number& value) {
-    std::memcpy(&value, bytes_.data(), sizeof value);
-    bytes_ = bytes_.subspan(sizeof value);
+  template <typename... Numbers>
+  void get(Numbers&... values) {
+    const auto take = [&](auto& value) {
+      std::memcpy(&value, bytes_.data(), sizeof value);
+      bytes_ = bytes_.subspan(sizeof value);
+    };
+    (take(values), ...);
   }
 
  private:

@@ -28,13 +28,7 @@ constexpr int kTemperatureSensors = 8;
 
 void put_header(Bytes& bytes, std::uint16_t source, std::uint16_t destination, std::uint16_t id, std::uint16_t version,
                 std::size_t payload) {
-  put(bytes, kCheck);
-  put(bytes, source);
-  put(bytes, destination);
-  put(bytes, id);
-  put(bytes, version);
-  put(bytes, static_cast<std::uint32_t>(payload));
-  put(bytes, std::uint16_t{0});
+  put(bytes, kCheck, source, destination, id, version, static_cast<std::uint32_t>(payload), std::uint16_t{0});
 }
 
 template <typename Range>
@@ -45,15 +39,8 @@ void put_all(Bytes& bytes, const Range& numbers) {
 }
 
 void put_fire(Bytes& bytes, const OculusFire& fire) {
-  put(bytes, fire.mode);
-  put(bytes, fire.ping_rate);
-  put(bytes, fire.network_speed);
-  put(bytes, fire.gamma);
-  put(bytes, fire.flags);
-  put(bytes, fire.range);
-  put(bytes, fire.gain);
-  put(bytes, fire.sound_speed);
-  put(bytes, fire.salinity);
+  put(bytes, fire.mode, fire.ping_rate, fire.network_speed, fire.gamma, fire.flags, fire.range, fire.gain,
+      fire.sound_speed, fire.salinity);
   if (fire.layout == 2) {
     put(bytes, fire.extended_flags);
     put_all(bytes, fire.reserved);
@@ -97,12 +84,7 @@ std::optional<OculusMessage> OculusParser::next() {
     OculusMessage message;
     std::uint16_t check = 0;
     std::uint32_t size = 0;
-    reader.get(check);
-    reader.get(message.source);
-    reader.get(message.destination);
-    reader.get(message.id);
-    reader.get(message.version);
-    reader.get(size);
+    reader.get(check, message.source, message.destination, message.id, message.version, size);
     if (check != kCheck || size > kLongestOculusPayload) {
       ++first_;
       ++skipped_;
@@ -135,18 +117,10 @@ OculusFire decode_fire(const OculusMessage& message) {
   PacketReader reader(message.payload);
   OculusFire fire;
   fire.layout = second ? 2 : 1;
-  reader.get(fire.mode);
-  reader.get(fire.ping_rate);
-  reader.get(fire.network_speed);
-  reader.get(fire.gamma);
-  reader.get(fire.flags);
-  reader.get(fire.range);
-  reader.get(fire.gain);
-  reader.get(fire.sound_speed);
-  reader.get(fire.salinity);
+  reader.get(fire.mode, fire.ping_rate, fire.network_speed, fire.gamma, fire.flags, fire.range, fire.gain,
+             fire.sound_speed, fire.salinity);
   if (second) {
-    reader.get(fire.extended_flags);
-    reader.get(fire.reserved);
+    reader.get(fire.extended_flags, fire.reserved);
   }
 
   check("mode", fire.mode, from_to(1, 2));
@@ -159,8 +133,8 @@ OculusFire decode_fire(const OculusMessage& message) {
   check("salinity", fire.salinity, from_to(0, 50));
   if (!fire.has(kOculusSimpleReturn)) {
     throw Error(
-        fmt::format("flags = 0x{:02x} ask for the full return message, whose format is not public; 0x{:02x} asks "
-                    "for the simple one",
+        fmt::format("flags = 0x{:02x} ask for the full return message, whose format is not public; 0x{:02x} asks for "
+                    "the simple one",
                     fire.flags, fire.flags | kOculusSimpleReturn));
   }
   return fire;
@@ -177,13 +151,9 @@ Bytes encode(const OculusPing& ping) {
   put_fire(bytes, ping.fire);
   put(bytes, ping.number);
   put(bytes, std::uint32_t{0});  // Status: no error.
-  put(bytes, ping.frequency);
-  put(bytes, ping.temperature_c);
-  put(bytes, ping.pressure_bar);
+  put(bytes, ping.frequency, ping.temperature_c, ping.pressure_bar);
   if (second) {
-    put(bytes, ping.heading_deg);
-    put(bytes, ping.pitch_deg);
-    put(bytes, ping.roll_deg);
+    put(bytes, ping.heading_deg, ping.pitch_deg, ping.roll_deg);
   }
   put(bytes, ping.sound_speed);
   if (second) {
@@ -191,16 +161,13 @@ Bytes encode(const OculusPing& ping) {
   } else {  // Microseconds, which wrap after 2^32.
     put(bytes, static_cast<std::uint32_t>(static_cast<std::uint64_t>(ping.start_time * kMicroseconds)));
   }
-  put(bytes, static_cast<std::uint8_t>(ping.fire.has(kOculus16Bits) ? 1 : 0));
-  put(bytes, ping.range_resolution);
-  put(bytes, ping.range_count);
-  put(bytes, static_cast<std::uint16_t>(ping.bearings.size()));
+  put(bytes, static_cast<std::uint8_t>(ping.fire.has(kOculus16Bits) ? 1 : 0), ping.range_resolution, ping.range_count,
+      static_cast<std::uint16_t>(ping.bearings.size()));
   if (second) {
     put_all(bytes, std::array<std::uint32_t, 4>{});  // Reserved.
   }
-  put(bytes, static_cast<std::uint32_t>(image_offset));
-  put(bytes, static_cast<std::uint32_t>(ping.image.size()));
-  put(bytes, static_cast<std::uint32_t>(size));
+  put(bytes, static_cast<std::uint32_t>(image_offset), static_cast<std::uint32_t>(ping.image.size()),
+      static_cast<std::uint32_t>(size));
   put_all(bytes, ping.bearings);
   bytes.insert(bytes.end(), ping.image.begin(), ping.image.end());
   return bytes;
@@ -210,10 +177,7 @@ Bytes encode(const OculusStatus& status) {
   constexpr std::size_t kPayload = 126;
   Bytes bytes;
   put_header(bytes, status.device, 0, kStatus, 0, kPayload);
-  put(bytes, std::uint32_t{status.device});
-  put(bytes, kImagingSonar);
-  put(bytes, status.part_number);
-  put(bytes, kRunning);
+  put(bytes, std::uint32_t{status.device}, kImagingSonar, status.part_number, kRunning);
   put_all(bytes, std::array<std::uint32_t, 6>{});  // Versions and dates of the firmware: none.
   put_all(bytes, status.address);
   put_all(bytes, status.mask);

@@ -45,23 +45,14 @@ bool has_mode(const Preset& preset, std::string_view mode) {
   return std::ranges::find(preset.modes, mode) != preset.modes.end();
 }
 
-std::vector<const void*> fields_of(const SonarConfig& sonar) {
-  std::vector<const void*> fields;
-  SonarConfig::visit_fields(sonar, [&](const Field&, const auto& value) { fields.push_back(&value); });
-  return fields;
-}
-
 // A sonar made from the preset `from`, in the mode `to`: what the scenario has changed stays.
 SonarConfig in_mode(const SonarConfig& sonar, const SonarConfig& from, const SonarConfig& to) {
   SonarConfig changed = sonar;
-  const std::vector<const void*> before = fields_of(from), after = fields_of(to);
-  std::size_t field = 0;
-  SonarConfig::visit_fields(changed, [&]<typename Value>(const Field&, Value& value) {
-    if (value == *static_cast<const Value*>(before[field])) {
-      value = *static_cast<const Value*>(after[field]);
+  for (const FieldEntry& field : table_of<SonarConfig>().fields) {
+    if (field.equal(&changed, &from)) {
+      field.copy(&to, &changed);
     }
-    ++field;
-  });
+  }
   return changed;
 }
 

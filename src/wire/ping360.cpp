@@ -108,20 +108,12 @@ Ping360Answer Ping360::accepted(std::uint16_t id) const {
 
 PingFrame Ping360::data(std::span<const std::uint8_t> samples) const {
   std::vector<std::uint8_t> payload;
-  put(payload, settings_.mode);
-  put(payload, settings_.gain_setting);
-  put(payload, settings_.angle);
-  put(payload, settings_.transmit_duration);
-  put(payload, settings_.sample_period);
-  put(payload, settings_.transmit_frequency);
+  put(payload, settings_.mode, settings_.gain_setting, settings_.angle, settings_.transmit_duration,
+      settings_.sample_period, settings_.transmit_frequency);
   if (sector_) {
-    put(payload, sector_->start_angle);
-    put(payload, sector_->stop_angle);
-    put(payload, sector_->step);
-    put(payload, sector_->delay);
+    put(payload, sector_->start_angle, sector_->stop_angle, sector_->step, sector_->delay);
   }
-  put(payload, settings_.sample_count);
-  put(payload, static_cast<std::uint16_t>(samples.size()));
+  put(payload, settings_.sample_count, static_cast<std::uint16_t>(samples.size()));
   payload.insert(payload.end(), samples.begin(), samples.end());
   return frame(sector_ ? kAutoDeviceData : kDeviceData, std::move(payload));
 }
@@ -169,14 +161,8 @@ Ping360Answer Ping360::set_transducer(const PingFrame& frame) {
   PacketReader reader(frame.payload);
   Ping360Settings settings;
   std::uint8_t transmit = 0;
-  reader.get(settings.mode);
-  reader.get(settings.gain_setting);
-  reader.get(settings.angle);
-  reader.get(settings.transmit_duration);
-  reader.get(settings.sample_period);
-  reader.get(settings.transmit_frequency);
-  reader.get(settings.sample_count);
-  reader.get(transmit);
+  reader.get(settings.mode, settings.gain_setting, settings.angle, settings.transmit_duration, settings.sample_period,
+             settings.transmit_frequency, settings.sample_count, transmit);
   std::string wrong = wrong_setting(settings);
   if (wrong.empty()) {
     wrong = out_of("transmit", transmit, 0, 1);
@@ -200,16 +186,9 @@ Ping360Answer Ping360::start_scan(const PingFrame& frame) {
   PacketReader reader(frame.payload);
   Ping360Settings settings;
   Ping360Sector sector;
-  reader.get(settings.mode);
-  reader.get(settings.gain_setting);
-  reader.get(settings.transmit_duration);
-  reader.get(settings.sample_period);
-  reader.get(settings.transmit_frequency);
-  reader.get(settings.sample_count);
-  reader.get(sector.start_angle);
-  reader.get(sector.stop_angle);
-  reader.get(sector.step);
-  reader.get(sector.delay);
+  reader.get(settings.mode, settings.gain_setting, settings.transmit_duration, settings.sample_period,
+             settings.transmit_frequency, settings.sample_count, sector.start_angle, sector.stop_angle, sector.step,
+             sector.delay);
   std::string wrong = wrong_setting(settings);
   if (wrong.empty()) {
     wrong = wrong_sector(sector);

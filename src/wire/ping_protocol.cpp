@@ -29,10 +29,7 @@ std::vector<std::uint8_t> encode(const PingFrame& frame) {
   bytes.reserve(kHeader + frame.payload.size() + kChecksum);
   bytes.push_back('B');
   bytes.push_back('R');
-  put(bytes, static_cast<std::uint16_t>(frame.payload.size()));
-  put(bytes, frame.id);
-  put(bytes, frame.source);
-  put(bytes, frame.destination);
+  put(bytes, static_cast<std::uint16_t>(frame.payload.size()), frame.id, frame.source, frame.destination);
   bytes.insert(bytes.end(), frame.payload.begin(), frame.payload.end());
   put(bytes, sum_of(bytes));
   return bytes;

@@ -1,7 +1,5 @@
 // field_test.cpp -- limits as text, names and units of fields, and messages of checks.
 
-#include "insonify/field.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,6 +9,7 @@
 #include <vector>
 
 #include "insonify/geometry.h"
+#include "insonify/settings_table.h"
 #include "support/message_of.h"
 
 namespace insonify::field_test {

@@ -1,10 +1,10 @@
 // nearest_name_test.cpp -- suggestions for mistyped names.
 
-#include "base/nearest_name.h"
-
 #include <gtest/gtest.h>
 
 #include <vector>
+
+#include "base/names.h"
 
 namespace insonify::nearest_name_test {
 namespace {

@@ -1,4 +1,4 @@
-// cdr_read.h -- reads back what a CdrWriter has written, for tests.
+// cdr_read.h -- reads back what a RosWriter has written, for tests.
 
 #pragma once
 

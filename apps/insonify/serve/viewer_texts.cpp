@@ -21,57 +21,42 @@ void put_limits(const Field& field, Json& entry) {
   }
 }
 
-template <typename Member>
-Json value_of(const Field& field, const Member& member) {
-  if constexpr (std::is_same_v<Member, bool>) {
-    return member;
-  } else if constexpr (std::is_enum_v<Member>) {
-    return word_of(member);
-  } else if constexpr (std::is_floating_point_v<Member>) {
-    return member * file_scale_of(field);
-  } else {
-    return member;
-  }
-}
-
+// The control of a member; nothing for texts, lists and vectors.
 template <typename Member>
 void put(const std::string& path, const Field& field, const Member& member, Json& keys) {
+  Json entry;
   if constexpr (requires { member.has_value(); }) {
-    using Value = typename Member::value_type;
-    if constexpr (std::is_arithmetic_v<Value>) {
-      put(path, field, member.value_or(Value{}), keys);
-      keys[path]["optional"] = true;
-      if (!member) {
-        keys[path]["value"] = nullptr;
-      }
+    put(path, field, member.value_or(typename Member::value_type{}), keys);
+    keys[path]["optional"] = true;
+    if (!member) {
+      keys[path]["value"] = nullptr;
     }
-  } else if constexpr (std::is_arithmetic_v<Member> || std::is_enum_v<Member>) {
-    Json entry = {{"value", value_of(field, member)}};
-    if constexpr (std::is_same_v<Member, bool>) {
-      entry["kind"] = "switch";
-    } else if constexpr (std::is_enum_v<Member>) {
-      entry["kind"] = "word";
-      entry["choices"] = Json::array();
-      for (const auto& [word, meaning] : words_of<Member>()) {
-        entry["choices"].push_back(word);
-      }
-    } else {
-      entry["kind"] = std::is_integral_v<Member> ? "whole number" : "number";
-      put_limits(field, entry);
-    }
-    entry["help"] = field.help;
-    entry["unit"] = file_unit_of(field);
-    keys[path] = entry;
+    return;
+  } else if constexpr (std::is_same_v<Member, bool>) {
+    entry = {{"value", member}, {"kind", "switch"}};
+  } else if constexpr (std::is_same_v<Member, EnumWord>) {
+    entry = {{"value", member.text()}, {"kind", "word"}, {"choices", member.list->words}};
+  } else if constexpr (std::is_integral_v<Member>) {
+    entry = {{"value", member}, {"kind", "whole number"}};
+    put_limits(field, entry);
+  } else if constexpr (std::is_floating_point_v<Member>) {
+    entry = {{"value", member * file_scale_of(field)}, {"kind", "number"}};
+    put_limits(field, entry);
+  } else {
+    return;
   }
+  entry["help"] = field.help;
+  entry["unit"] = file_unit_of(field);
+  keys[path] = entry;
 }
 
-template <typename Config>
-void put_fields(const std::string& object, const Config& config, ActsIn idle, Json& keys) {
-  Config::visit_fields(config, [&](const Field& field, const auto& member) {
+void put_fields(const std::string& object, ConstSettings settings, ActsIn idle, Json& keys) {
+  for (const FieldEntry& field : settings.table->fields) {
     if (field.acts != idle) {
-      put((object.empty() ? "" : object + ".") + file_name_of(field), field, member, keys);
+      const std::string path = (object.empty() ? "" : object + ".") + file_name_of(field);
+      field.get(settings.config, [&](const auto& member) { put(path, field, member, keys); });
     }
-  });
+  }
 }
 
 // Settings with their values and limits, for the page's controls, by their `--set` paths: {"sonars[0].max_range":

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "insonify/field.h"
+#include "insonify/settings_table.h"
 
 namespace insonify {
 

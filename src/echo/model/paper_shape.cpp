@@ -34,6 +34,10 @@ void apply_logistic(int count, Logistic terms, const float* strength, float* pow
 
 }  // namespace
 
+void PaperModel::validate() const {
+  check_fields("paper", *this);
+}
+
 double PaperModel::shape(double strength) const {
   if (sigmoid == Sigmoid::kNone) {
     return strength;

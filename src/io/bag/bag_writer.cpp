@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "insonify/error.h"
-#include "io/file/write_at.h"
+#include "io/file/unfinished_file.h"
 
 namespace insonify {
 namespace {

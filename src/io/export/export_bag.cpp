@@ -2,7 +2,6 @@
 
 #include "io/bag/bag_writer.h"
 #include "io/export/export_format.h"
-#include "io/export/recorded_source.h"
 #include "io/message/message_stream.h"
 
 namespace insonify {

@@ -9,7 +9,9 @@
 
 #include "insonify/export.h"
 #include "insonify/interrupted.h"
+#include "insonify/messages.h"
 #include "insonify/ping_sink.h"
+#include "insonify/recorded_pings.h"
 #include "io/file/recorded_tables.h"
 
 namespace insonify {
@@ -30,6 +32,17 @@ inline void check_stop(const ExportOptions& options) {
     throw Interrupted();
   }
 }
+
+/// The pings that the tables are of.
+[[nodiscard]] RecordedPings pings_of(const RecordedTables& recording);
+
+/// @throws Error with the path for a recording without model or settings.
+[[nodiscard]] EchoModel model_of(const RecordedTables& recording);
+[[nodiscard]] MessageSource message_source(const RecordedTables& recording);
+[[nodiscard]] std::vector<MessageSource> message_sources(RecordedSonars recordings);
+
+/// The options, with the recordings' start unless they have their own.
+[[nodiscard]] MessageOptions with_start(MessageOptions options, RecordedSonars recordings);
 
 /// Gives all pings to a sink, in the order of their times, and closes it.
 void write_pings(RecordedSonars recordings, PingSink& sink, const ExportOptions& options);

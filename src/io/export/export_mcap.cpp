@@ -6,8 +6,6 @@
 #include "insonify/printable.h"
 #include "insonify/words.h"
 #include "io/export/export_format.h"
-#include "io/export/recorded_sequence.h"
-#include "io/export/recorded_source.h"
 
 namespace insonify {
 namespace {
@@ -67,14 +65,6 @@ MessageOptions with_start(MessageOptions options, RecordedSonars recordings) {
     }
   }
   return options;
-}
-
-void write_pings(RecordedSonars recordings, PingSink& sink, const ExportOptions& options) {
-  for (RecordedSequence pings(recordings); !pings.done(); pings.advance()) {
-    check_stop(options);
-    sink.add(pings.sonar(), pings.ping());
-  }
-  sink.close();
 }
 
 void export_mcap(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options) {

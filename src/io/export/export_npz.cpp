@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include "io/export/export_format.h"
-#include "io/export/numpy_header.h"
 #include "io/export/zip_writer.h"
 
 namespace insonify {
+namespace {
 
+// The header of an .npy array, version 1.0: magic, length, and a Python dictionary of type and shape, filled up to a
+// multiple of 64 bytes.
+// @param type  NumPy's name: "<f4".
 std::string numpy_header(const std::string& type, const std::vector<std::uint64_t>& shape) {
   std::string lengths;
   for (const std::uint64_t length : shape) {
@@ -25,8 +28,6 @@ std::string numpy_header(const std::string& type, const std::vector<std::uint64_
   header += static_cast<char>(text.size() / 256);
   return header + text;
 }
-
-namespace {
 
 void add_array(ZipWriter& zip, const std::string& name, const std::string& type,
                const std::vector<std::uint64_t>& shape) {

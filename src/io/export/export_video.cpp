@@ -9,7 +9,6 @@
 #include "insonify/error.h"
 #include "io/export/export_format.h"
 #include "io/export/ffmpeg.h"
-#include "io/export/recorded_source.h"
 #include "io/file/unfinished_file.h"
 
 namespace insonify {

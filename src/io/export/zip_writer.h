@@ -1,15 +1,12 @@
-// zip_writer.h -- writes a zip archive, entry by entry, each of any size (zip64).
-// Why not libminizip: docs/design/libraries.md.
+// zip_writer.h -- writes a zip archive by minizip, entry by entry, each of any size (zip64).
 
 #pragma once
 
-#include <zlib.h>
+#include <minizip/zip.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "io/file/unfinished_file.h"
 
@@ -32,20 +29,11 @@ class ZipWriter {
   void finish();
 
  private:
-  struct Entry {
-    std::string name;
-    std::uint64_t offset = 0, stored = 0, size = 0;  // [bytes]
-    std::uint32_t crc = 0;
-  };
-  void put_at(std::uint64_t offset, std::span<const std::byte> bytes);
-  void deflate_rest(int flush);
+  void check(int error) const;
 
   UnfinishedFile* file_;
   bool compress_;
-  std::uint64_t end_ = 0;
-  std::vector<Entry> entries_;
-  z_stream stream_ = {};
-  std::vector<std::byte> packed_;
+  zipFile zip_;
 };
 
 }  // namespace insonify

@@ -8,7 +8,6 @@
 #include <algorithm>
 
 #include "base/log_line.h"
-#include "insonify/error.h"
 #include "insonify/printable.h"
 
 namespace insonify {
@@ -48,10 +47,10 @@ void MissingParts::add(const std::string& what, const std::string& reason) {
   }
 }
 
-void MissingParts::add_fuel(const std::string& what, const std::string& reason, const std::string& uri) {
-  add(what, reason);
-  if (std::ranges::find(fuel_uris_, uri) == fuel_uris_.end()) {
-    fuel_uris_.push_back(uri);
+void MissingParts::add(const UnreadablePart& unreadable) {
+  add(unreadable.part, unreadable.reason);
+  if (!unreadable.fuel_uri.empty() && std::ranges::find(fuel_uris_, unreadable.fuel_uri) == fuel_uris_.end()) {
+    fuel_uris_.push_back(unreadable.fuel_uri);
   }
 }
 

@@ -5,9 +5,22 @@
 #include <string>
 #include <vector>
 
+#include "insonify/error.h"
 #include "insonify/log.h"
 
 namespace insonify {
+
+/// A part of a world that cannot be read on this machine: a file that is missing or wrong, or a value that only a
+/// launch file knows.
+class UnreadablePart : public Error {
+ public:
+  /// @param the_part    "path:line:column: visual 'a::b': 'x.dae'"
+  /// @param the_reason  The rest of the message: " does not exist".
+  /// @param model_uri   URI of the Fuel model to download; "" for other files.
+  UnreadablePart(const std::string& the_part, const std::string& the_reason, const std::string& model_uri = "")
+      : Error(the_part + the_reason), part(the_part), reason(the_reason), fuel_uri(model_uri) {}
+  std::string part, reason, fuel_uri;
+};
 
 /// Collects the skipped parts of a world.
 class MissingParts {
@@ -16,8 +29,8 @@ class MissingParts {
   /// @param reason  Follows `what`: " does not exist".
   void add(const std::string& what, const std::string& reason);
 
-  /// As add(), for a model or a file of the Fuel server that is in none of its caches.
-  void add_fuel(const std::string& what, const std::string& reason, const std::string& uri);
+  /// The same of a part; the model of a Fuel URI is one to download.
+  void add(const UnreadablePart& unreadable);
 
   [[nodiscard]] bool empty() const { return reasons_.empty(); }
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -76,18 +77,16 @@ class RecordedSettings {
 
 // Sets one member of a configuration of any type; unchanged if the file does not have it.
 template <typename Member>
-void read_member(const RecordedSettings& settings, const std::string& name, Member& member) {
-  if constexpr (std::is_enum_v<Member>) {
+void read_recorded(const RecordedSettings& settings, const std::string& name, Member& member) {
+  if constexpr (std::is_same_v<Member, EnumWord>) {
     if (const std::optional<std::string> word = settings.text(name)) {
-      for (const auto& [known, value] : words_of<Member>()) {
-        if (known == *word) {
-          member = value;
-          return;
-        }
+      const auto known = std::ranges::find(member.list->words, *word);
+      if (known == member.list->words.end()) {
+        settings.fail(name, "holds a word that is not known: " + *word);
       }
-      settings.fail(name, "holds a word that is not known: " + *word);
+      member.index = static_cast<std::size_t>(known - member.list->words.begin());
     }
-  } else if constexpr (std::is_same_v<Member, std::string>) {
+  } else if constexpr (std::is_same_v<Member, std::string> || std::is_same_v<Member, std::filesystem::path>) {
     member = settings.text(name).value_or(member);
   } else if constexpr (std::is_arithmetic_v<Member>) {
     if (const auto numbers = settings.numbers(name)) {
@@ -98,7 +97,7 @@ void read_member(const RecordedSettings& settings, const std::string& name, Memb
     }
   } else if constexpr (requires { member.has_value(); }) {
     if (settings.find(name) != nullptr) {
-      read_member(settings, name, member.emplace());
+      read_recorded(settings, name, member.emplace());
     }
   } else if constexpr (std::is_same_v<Member, std::vector<int>>) {
     if (const auto numbers = settings.numbers(name)) {
@@ -110,10 +109,9 @@ void read_member(const RecordedSettings& settings, const std::string& name, Memb
         member.push_back(static_cast<int>(number));
       }
     }
-  } else if constexpr (requires { member.push_back(0.0); }) {
+  } else if constexpr (std::is_same_v<Member, std::vector<double>>) {
     member = settings.numbers(name).value_or(member);
-  } else {
-    static_assert(std::is_same_v<Member, Vec3>);
+  } else if constexpr (std::is_same_v<Member, Vec3>) {
     if (const auto numbers = settings.numbers(name)) {
       if (numbers->size() != 3) {
         settings.fail(name, "must hold three numbers");
@@ -131,9 +129,10 @@ Config read_settings(const RecordedSettings& settings, const std::string& group)
     settings.fail(group, "is not in the file: it was not recorded by insonify");
   }
   Config config;
-  Config::visit_fields(config, [&](const Field& field, auto& member) {
-    read_member(settings, group + "/" + std::string(field.name), member);
-  });
+  for (const FieldEntry& field : table_of<Config>().fields) {
+    field.change(&config,
+                 [&](auto& member) { read_recorded(settings, group + "/" + std::string(field.name), member); });
+  }
   return config;
 }
 

@@ -1,4 +1,4 @@
-// unfinished_file.cpp -- creates a new file under a random name, and renames it.
+// unfinished_file.cpp -- creates a new file under a random name, and renames it; pwrite() until nothing is left.
 
 #include "io/file/unfinished_file.h"
 
@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <random>
 #include <system_error>
@@ -65,6 +66,19 @@ void UnfinishedFile::fail(const std::string& reason) const {
 
 void UnfinishedFile::fail_by_errno() const {
   fail(std::generic_category().message(errno));
+}
+
+bool write_at(int descriptor, std::uint64_t offset, std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = pwrite(descriptor, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    if (written < 0 && errno != EINTR) {
+      return false;
+    }
+    const auto count = static_cast<std::size_t>(std::max(written, ssize_t{0}));
+    bytes = bytes.subspan(count);
+    offset += count;
+  }
+  return true;
 }
 
 }  // namespace insonify

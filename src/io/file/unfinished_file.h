@@ -1,8 +1,12 @@
-// unfinished_file.h -- files that are written under a temporary name and renamed once they are complete.
+// unfinished_file.h -- files that are written under a temporary name and renamed once they are complete; writing at an
+// offset of a file.
 
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 
 namespace insonify {
@@ -46,5 +50,10 @@ class UnfinishedFile {
   std::string doing_;
   int descriptor_ = -1;
 };
+
+/// Writes all of the bytes, also if the system accepts them in parts or a signal interrupts.
+/// @param offset  In the file [bytes].
+/// @return        Whether it succeeded; else errno is the reason, and a part may have been written.
+[[nodiscard]] bool write_at(int descriptor, std::uint64_t offset, std::span<const std::byte> bytes);
 
 }  // namespace insonify

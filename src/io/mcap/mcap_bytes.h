@@ -55,6 +55,13 @@ class McapBytes {
     }
     end_sized(begin);
   }
+  /// Several of these, one after the other.
+  template <typename First, typename Second, typename... Rest>
+  void put(const First& first, const Second& second, const Rest&... rest) {
+    put(first);
+    put(second);
+    (put(rest), ...);
+  }
   /// A map of numbers to numbers.
   template <typename Value>
   void put_map(const std::map<std::uint16_t, Value>& numbers) {

@@ -7,20 +7,23 @@
 #include <charconv>
 #include <cstring>
 
-#include "insonify/words.h"
 #include "io/mcap/mcap_metadata.h"
 #include "io/message/cdr_reader.h"
 
 namespace insonify {
 namespace {
 
-// A member of a configuration as JSON, as in recordings: words as texts, angles in radians.
+// A member of a configuration as JSON, as in recordings: words as texts, angles in radians; null if there is none.
 template <typename Member>
 nlohmann::json json_of_member(const Member& member) {
-  if constexpr (std::is_enum_v<Member>) {
-    return std::string(word_of(member));
-  } else if constexpr (std::is_same_v<Member, Vec3> || std::is_same_v<Member, std::vector<int>>) {
+  if constexpr (std::is_same_v<Member, EnumWord>) {
+    return member.text();
+  } else if constexpr (requires { member.has_value(); }) {
+    return member ? nlohmann::json(*member) : nlohmann::json();
+  } else if constexpr (std::is_same_v<Member, Vec3>) {
     return std::vector<double>(member.begin(), member.end());
+  } else if constexpr (std::is_same_v<Member, std::vector<int>> || std::is_same_v<Member, std::vector<double>>) {
+    return member.empty() ? nlohmann::json() : nlohmann::json(std::vector<double>(member.begin(), member.end()));
   } else if constexpr (std::is_same_v<Member, std::filesystem::path>) {
     return member.string();
   } else {
@@ -29,34 +32,18 @@ nlohmann::json json_of_member(const Member& member) {
 }
 
 // A configuration without absent members; parts that are structs become objects.
-template <typename Config>
-nlohmann::json json_of(const Config& config) {
+nlohmann::json json_of(ConstSettings settings) {
   nlohmann::json object = nlohmann::json::object();
-  Config::visit_fields(config, [&](const Field& field, const auto& member) {
-    const std::string name(field.name);
-    if constexpr (requires { member.has_value(); }) {
-      if (member.has_value()) {
-        object[name] = json_of_member(*member);
-      }
-    } else if constexpr (std::is_same_v<std::remove_cvref_t<decltype(member)>, std::vector<double>> ||
-                         std::is_same_v<std::remove_cvref_t<decltype(member)>, std::vector<int>>) {
-      if (!member.empty()) {
-        object[name] = json_of_member(member);
-      }
-    } else {
-      object[name] = json_of_member(member);
+  for (const FieldEntry& field : settings.table->fields) {
+    nlohmann::json value = field.get(settings.config, [](const auto& member) { return json_of_member(member); });
+    if (!value.is_null()) {
+      object[std::string(field.name)] = std::move(value);
     }
-  });
-  if constexpr (HasParts<Config>) {
-    Config::visit_parts(config, [&](const Part& part, const auto& member) {
-      if constexpr (requires { member.has_value(); }) {
-        if (member.has_value()) {
-          object[std::string(part.name)] = json_of(*member);
-        }
-      } else {
-        object[std::string(part.name)] = json_of(member);
-      }
-    });
+  }
+  for (const PartEntry& part : settings.table->parts) {
+    for (const auto& [suffix, entry] : part.entries(settings.config)) {
+      object[std::string(part.name)] = json_of(entry);
+    }
   }
   return object;
 }

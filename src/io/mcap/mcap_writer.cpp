@@ -39,10 +39,7 @@ McapWriter::McapWriter(std::filesystem::path path, const std::string& library, b
   absolute_ = std::filesystem::absolute(out_->unfinished());
   McapBytes start;
   start.append(std::as_bytes(std::span(kMcapMagic)));
-  start.record(McapOp::kHeader, [&] {
-    start.put(std::string_view("ros2"));
-    start.put(std::string_view(library));
-  });
+  start.record(McapOp::kHeader, [&] { start.put(std::string_view("ros2"), std::string_view(library)); });
   write(start.bytes());
   if (!earlier_ && !only_whole_) {
     refuse_while_another_writes();
@@ -136,19 +133,15 @@ std::uint16_t McapWriter::add_channel(const std::string& topic, const std::strin
 
 void McapWriter::put_schema(McapBytes& into, std::size_t index) const {
   into.record(McapOp::kSchema, [&] {
-    into.put(static_cast<std::uint16_t>(index + 1));
-    into.put(std::string_view(schemas_[index].name));
-    into.put(std::string_view("ros2msg"));
-    into.put(std::string_view(schemas_[index].definition));
+    into.put(static_cast<std::uint16_t>(index + 1), std::string_view(schemas_[index].name), std::string_view("ros2msg"),
+             std::string_view(schemas_[index].definition));
   });
 }
 
 void McapWriter::put_channel(McapBytes& into, std::size_t index) const {
   into.record(McapOp::kChannel, [&] {
-    into.put(static_cast<std::uint16_t>(index));
-    into.put(channels_[index].schema);
-    into.put(std::string_view(channels_[index].topic));
-    into.put(std::string_view("cdr"));
+    into.put(static_cast<std::uint16_t>(index), channels_[index].schema, std::string_view(channels_[index].topic),
+             std::string_view("cdr"));
     into.put(std::map<std::string, std::string>{{"offered_qos_profiles", ""}});  // Which rosbag2 looks for.
   });
 }
@@ -168,10 +161,7 @@ void McapWriter::put_message(std::uint64_t time_ns, const Message& message) {
   Channel& to = channels_[message.channel];
   chunk_index_[message.channel].push_back({time_ns, chunk_.size()});
   chunk_.record(McapOp::kMessage, [&] {
-    chunk_.put(message.channel);
-    chunk_.put(to.next_sequence++);
-    chunk_.put(time_ns);
-    chunk_.put(time_ns);
+    chunk_.put(message.channel, to.next_sequence++, time_ns, time_ns);
     chunk_.append(message.bytes);
   });
 }

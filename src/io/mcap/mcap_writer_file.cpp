@@ -11,7 +11,7 @@
 #include <system_error>
 
 #include "insonify/error.h"
-#include "io/file/write_at.h"
+#include "io/file/unfinished_file.h"
 #include "io/mcap/mcap_metadata.h"
 #include "io/mcap/mcap_writer.h"
 
@@ -58,16 +58,11 @@ void McapWriter::write(std::span<const std::byte> bytes) {
 
 void McapWriter::put_metadata(const std::string& name, const std::map<std::string, std::string>& texts) {
   McapBytes bytes;
-  bytes.record(McapOp::kMetadata, [&] {
-    bytes.put(std::string_view(name));
-    bytes.put(texts);
-  });
+  bytes.record(McapOp::kMetadata, [&] { bytes.put(std::string_view(name), texts); });
   const std::uint64_t start = written_.bytes;
   write(bytes.bytes());
   written_.metadata_indexes.record(McapOp::kMetadataIndex, [&] {
-    written_.metadata_indexes.put(start);
-    written_.metadata_indexes.put(static_cast<std::uint64_t>(bytes.size()));
-    written_.metadata_indexes.put(std::string_view(name));
+    written_.metadata_indexes.put(start, static_cast<std::uint64_t>(bytes.size()), std::string_view(name));
   });
   ++written_.metadata;
 }
@@ -120,12 +115,8 @@ void McapWriter::write_pings(std::size_t count) {
   const std::vector<std::byte> packed = compressed(records);
   McapBytes bytes;
   bytes.record(McapOp::kChunk, [&] {
-    bytes.put(first);
-    bytes.put(last);
-    bytes.put(static_cast<std::uint64_t>(records.size()));
-    bytes.put(crc_of(records));
-    bytes.put(kCompression);
-    bytes.put(static_cast<std::uint64_t>(packed.size()));
+    bytes.put(first, last, static_cast<std::uint64_t>(records.size()), crc_of(records), kCompression,
+              static_cast<std::uint64_t>(packed.size()));
     bytes.append(packed);
   });
   const std::size_t chunk_length = bytes.size();
@@ -134,22 +125,16 @@ void McapWriter::write_pings(std::size_t count) {
   for (const auto& [channel, entries] : index) {
     offsets[channel] = chunk_start + bytes.size();
     bytes.record(McapOp::kMessageIndex, [&, id = channel, &list = entries] {
-      bytes.put(id);
-      bytes.put(static_cast<std::uint32_t>(list.size() * sizeof(IndexEntry)));
+      bytes.put(id, static_cast<std::uint32_t>(list.size() * sizeof(IndexEntry)));
       bytes.append(std::as_bytes(std::span(list)));
     });
   }
   write(bytes.bytes());
   written_.chunk_indexes.record(McapOp::kChunkIndex, [&] {
-    written_.chunk_indexes.put(first);
-    written_.chunk_indexes.put(last);
-    written_.chunk_indexes.put(chunk_start);
-    written_.chunk_indexes.put(static_cast<std::uint64_t>(chunk_length));
+    written_.chunk_indexes.put(first, last, chunk_start, static_cast<std::uint64_t>(chunk_length));
     written_.chunk_indexes.put_map(offsets);
-    written_.chunk_indexes.put(static_cast<std::uint64_t>(bytes.size() - chunk_length));
-    written_.chunk_indexes.put(kCompression);
-    written_.chunk_indexes.put(static_cast<std::uint64_t>(packed.size()));
-    written_.chunk_indexes.put(static_cast<std::uint64_t>(records.size()));
+    written_.chunk_indexes.put(static_cast<std::uint64_t>(bytes.size() - chunk_length), kCompression,
+                               static_cast<std::uint64_t>(packed.size()), static_cast<std::uint64_t>(records.size()));
   });
   ++written_.chunks;
   written_.first_time = written_.messages == 0 ? first : std::min(written_.first_time, first);
@@ -184,14 +169,10 @@ void McapWriter::put_statistics(McapBytes& summary) const {
     counts.try_emplace(static_cast<std::uint16_t>(i), 0);
   }
   summary.record(McapOp::kStatistics, [&] {
-    summary.put(written_.messages);
-    summary.put(static_cast<std::uint16_t>(written_schemas_));
-    summary.put(static_cast<std::uint32_t>(written_channels_));
+    summary.put(written_.messages, static_cast<std::uint16_t>(written_schemas_),
+                static_cast<std::uint32_t>(written_channels_));
     summary.put(std::uint32_t{0});  // Attachments.
-    summary.put(written_.metadata);
-    summary.put(written_.chunks);
-    summary.put(written_.first_time);
-    summary.put(written_.last_time);
+    summary.put(written_.metadata, written_.chunks, written_.first_time, written_.last_time);
     summary.put_map(counts);
   });
 }
@@ -209,9 +190,7 @@ void McapWriter::write_summary() {
     put_group();
     if (summary.size() > begin) {
       offsets.record(McapOp::kSummaryOffset, [&] {
-        offsets.put(static_cast<std::uint8_t>(op));
-        offsets.put(start + begin);
-        offsets.put(static_cast<std::uint64_t>(summary.size() - begin));
+        offsets.put(static_cast<std::uint8_t>(op), start + begin, static_cast<std::uint64_t>(summary.size() - begin));
       });
     }
   };
@@ -233,10 +212,7 @@ void McapWriter::write_summary() {
   // The footer's checksum covers the summary and the footer up to itself.
   McapBytes footer;
   constexpr std::uint64_t kFooterContent = 20;
-  footer.put(static_cast<std::uint8_t>(McapOp::kFooter));
-  footer.put(kFooterContent);
-  footer.put(start);
-  footer.put(offsets_start);
+  footer.put(static_cast<std::uint8_t>(McapOp::kFooter), kFooterContent, start, offsets_start);
   summary.append(footer.bytes());
   summary.put(crc_of(summary.bytes()));
   summary.append(std::as_bytes(std::span(kMcapMagic)));

@@ -1,4 +1,4 @@
-// cdr_reader.h -- reads messages written by a CdrWriter.
+// cdr_reader.h -- reads messages written by a RosWriter.
 
 #pragma once
 

@@ -14,7 +14,7 @@
 #include <system_error>
 #include <utility>
 
-#include "io/file/write_at.h"
+#include "io/file/unfinished_file.h"
 #include "io/recording/growing_image.h"
 
 namespace insonify {

@@ -1,14 +1,12 @@
-// put_settings.cpp -- writes settings from the configurations' lists of fields and parts; absent ones are omitted.
+// put_settings.cpp -- writes settings from the tables of the configurations; absent ones are omitted.
 
 #include "io/recording/put_settings.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cassert>
 #include <limits>
 #include <type_traits>
-
-#include "insonify/words.h"
 
 namespace insonify {
 namespace {
@@ -20,8 +18,8 @@ H5Note note_of(const Field& field) {
 // A value for a dataset: words and paths as text, whole numbers in 64 bits.
 template <typename Member>
 auto stored(const Member& member) {
-  if constexpr (std::is_enum_v<Member>) {
-    return std::string(word_of(member));
+  if constexpr (std::is_same_v<Member, EnumWord>) {
+    return std::string(member.text());
   } else if constexpr (std::is_same_v<Member, std::filesystem::path>) {
     return member.string();
   } else if constexpr (std::is_same_v<Member, int>) {
@@ -54,6 +52,13 @@ void put_member(const H5Writer& writer, const std::string& name, const Field& fi
   }
 }
 
+void put_fields(const H5Writer& writer, const std::string& group, ConstSettings settings) {
+  for (const FieldEntry& field : settings.table->fields) {
+    field.get(settings.config,
+              [&](const auto& member) { put_member(writer, fmt::format("{}/{}", group, field.name), field, member); });
+  }
+}
+
 // One field of several configurations of one type, a row for each: numbers, whole numbers or texts.
 struct Column {
   std::vector<double> numbers = {};  // Three in a row for a vector.
@@ -71,87 +76,62 @@ struct Column {
       numbers.push_back(member.value_or(absent));
     } else if constexpr (std::is_same_v<Member, std::uint64_t>) {
       whole.push_back(member);
-    } else {
+    } else if constexpr (std::is_convertible_v<decltype(stored(member)), std::string>) {
       texts.push_back(stored(member));
+    } else {
+      assert(false && "lists and switches have no columns");
     }
   }
 };
 
-template <typename Config>
-void put_columns(const H5Writer& writer, const std::string& group, const std::vector<Config>& configs, double absent) {
-  std::vector<Column> columns;
-  for (const Config& config : configs) {
-    std::size_t next = 0;
-    Config::visit_fields(config, [&](const Field&, const auto& member) {
-      columns.resize(std::max(columns.size(), next + 1));
-      columns[next++].add(member, absent);
-    });
+void put_columns(const H5Writer& writer, const std::string& group, std::span<const ConstSettings> rows, double absent) {
+  if (rows.empty()) {
+    return;
   }
-  auto next = columns.begin();
-  const Config any{};
-  Config::visit_fields(any, [&](const Field& field, const auto&) {
-    if (next == columns.end()) {
-      return;  // There are no entries.
+  for (const FieldEntry& field : rows.front().table->fields) {
+    Column column;
+    for (const ConstSettings& row : rows) {
+      field.get(row.config, [&](const auto& member) { column.add(member, absent); });
     }
     const std::string name = fmt::format("{}/{}", group, field.name);
-    const Column& column = *next++;
     if (!column.texts.empty()) {
       writer.put(name, column.texts, {"", field.help});
     } else if (!column.whole.empty()) {
       writer.put(name, column.whole, note_of(field));
-    } else if (column.numbers.size() > configs.size()) {
-      writer.put_rows(name, column.numbers, column.numbers.size() / configs.size(), note_of(field));
+    } else if (column.numbers.size() > rows.size()) {
+      writer.put_rows(name, column.numbers, column.numbers.size() / rows.size(), note_of(field));
     } else {
       writer.put(name, column.numbers, note_of(field));
     }
-  });
-}
-
-constexpr double kNotGiven = std::numeric_limits<double>::quiet_NaN();
-
-template <typename Config>
-void put_config(const H5Writer& writer, const std::string& group, const Config& config);
-
-// A part by what it is: a struct, an optional one, a list or a map of them.
-template <typename Member>
-void put_part(const H5Writer& writer, const std::string& group, const Member& member) {
-  if constexpr (requires { typename Member::mapped_type; }) {
-    std::vector<std::string> names;
-    std::vector<typename Member::mapped_type> entries;
-    for (const auto& [name, entry] : member) {
-      names.push_back(name);
-      entries.push_back(entry);
-    }
-    if (!names.empty()) {
-      writer.put(group + "/name", names, {"", "What the row is for."});
-    }
-    put_columns(writer, group, entries, kNotGiven);
-  } else if constexpr (requires { member.has_value(); }) {
-    if (member.has_value()) {
-      put_config(writer, group, *member);
-    }
-  } else if constexpr (requires { member.begin(); }) {
-    if constexpr (HasParts<typename Member::value_type>) {
-      for (std::size_t i = 0; i < member.size(); ++i) {
-        put_config(writer, fmt::format("{}/{}", group, i), member[i]);
-      }
-    } else {
-      put_columns(writer, group, member, kNotGiven);
-    }
-  } else {
-    put_config(writer, group, member);
   }
 }
 
-template <typename Config>
-void put_config(const H5Writer& writer, const std::string& group, const Config& config) {
-  Config::visit_fields(config, [&](const Field& field, const auto& member) {
-    put_member(writer, fmt::format("{}/{}", group, field.name), field, member);
-  });
-  if constexpr (HasParts<Config>) {
-    Config::visit_parts(config, [&](const Part& part, const auto& member) {
-      put_part(writer, fmt::format("{}/{}", group, part.name), member);
-    });
+void put_config(const H5Writer& writer, const std::string& group, ConstSettings settings);
+
+// A part by what it is: a struct, an optional one, a list or a map of them.
+void put_part(const H5Writer& writer, const std::string& group, const PartEntry& part, const void* config) {
+  std::vector<ConstSettings> rows;
+  std::vector<std::string> names;
+  for (const auto& [suffix, settings] : part.entries(config)) {
+    if (part.shape == PartShape::kStruct || part.shape == PartShape::kOptional) {
+      put_config(writer, group, settings);
+    } else if (part.shape == PartShape::kList && !part.table->parts.empty()) {
+      put_config(writer, fmt::format("{}/{}", group, suffix.substr(1, suffix.size() - 2)), settings);
+    } else {
+      rows.push_back(settings);
+      names.push_back(suffix.substr(1));
+    }
+  }
+  if (part.shape == PartShape::kMap && !names.empty()) {
+    writer.put(group + "/name", names, {"", "What the row is for."});
+  }
+  put_columns(writer, group, rows, std::numeric_limits<double>::quiet_NaN());
+}
+
+void put_config(const H5Writer& writer, const std::string& group, ConstSettings settings) {
+  put_fields(writer, group, settings);
+  for (const PartEntry& part : settings.table->parts) {
+    put_part(writer, fmt::format("{}/{}", group, part.name), part, settings.config);
   }
 }
 
@@ -164,7 +144,8 @@ void put_materials(const H5Writer& writer, const Scene& scene, double frequency)
     material.reflection = material.reflection_at(frequency);
     material.transmission = material.transmission_at(frequency);
   }
-  put_columns(writer, "settings/materials", materials, std::numeric_limits<double>::infinity());
+  const std::vector<ConstSettings> rows(materials.begin(), materials.end());
+  put_columns(writer, "settings/materials", rows, std::numeric_limits<double>::infinity());
 }
 
 }  // namespace
@@ -173,16 +154,13 @@ void put_settings(const H5Writer& writer, const Scenario& scenario, const Scene&
   Scenario run = scenario;
   run.water = scenario.water_at(sonar);
   run.receiver = scenario.receiver_of(sonar);
-  Scenario::visit_fields(run, [&](const Field& field, const auto& member) {
-    put_member(writer, fmt::format("settings/{}", field.name), field, member);
-  });
-  Scenario::visit_parts(run, [&](const Part& part, const auto& member) {
-    if (part.name == "materials") {
-      put_part(writer, "settings/material_rules", member);
-    } else if (part.name != "sonars") {
-      put_part(writer, fmt::format("settings/{}", part.name), member);
+  put_fields(writer, "settings", run);
+  for (const PartEntry& part : table_of<Scenario>().parts) {
+    if (part.name != "sonars") {
+      const std::string_view name = part.name == "materials" ? "material_rules" : part.name;
+      put_part(writer, fmt::format("settings/{}", name), part, &run);
     }
-  });
+  }
   SonarConfig own = sonar;
   own.receiver.reset();
   put_config(writer, "settings/sonar", own);

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <functional>
+
 #include "insonify/error.h"
 #include "insonify/words.h"
 
@@ -11,14 +13,15 @@ namespace insonify {
 namespace {
 
 // Calls visit(object, field) for each field of a configuration and of its parts.
-template <typename Config, typename Visit>
-void visit_all_fields(const std::string& object, const Config& config, const Visit& visit) {
-  Config::visit_fields(config, [&](const Field& field, const auto&) { visit(object, field); });
-  if constexpr (HasParts<Config>) {
-    Config::visit_parts(config, [&](const Part& part, const auto& member) {
-      visit_entries(member_name(object, part.name), member,
-                    [&](const std::string& name, const auto& entry) { visit_all_fields(name, entry, visit); });
-    });
+void visit_all_fields(const std::string& object, ConstSettings settings,
+                      const std::function<void(const std::string&, const Field&)>& visit) {
+  for (const FieldEntry& field : settings.table->fields) {
+    visit(object, field);
+  }
+  for (const PartEntry& part : settings.table->parts) {
+    for (const auto& [suffix, entry] : part.entries(settings.config)) {
+      visit_all_fields(member_name(object, part.name) + suffix, entry, visit);
+    }
   }
 }
 

@@ -1,6 +1,9 @@
-// check_effects.h -- rejects keys in a file that have no effect in its model of the echo.
+// check_effects.h -- finds keys without effect: in the model of the echo, or beside other settings.
 
 #pragma once
+
+#include <string>
+#include <vector>
 
 #include "insonify/scenario.h"
 
@@ -13,5 +16,11 @@ void refuse_idle_keys(const Scenario& scenario);
 
 /// Those keys of the file, in order, that have no effect in a model that `--set model=...` chose.
 [[nodiscard]] std::vector<std::string> idle_keys(const Scenario& scenario);
+
+/// A line for each setting that is probably a mistake: a key without effect beside other settings ("a.yaml:3:5:
+/// receiver.pulse_bandwidth has no effect unless pulse is lfm"), a source above the water's surface, a pulse longer
+/// than its ping. These are not errors: a file can be meant for --set.
+/// @param scenario  Valid, with the places of what was read.
+[[nodiscard]] std::vector<std::string> odd_settings(const Scenario& scenario);
 
 }  // namespace insonify

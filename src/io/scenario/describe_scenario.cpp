@@ -1,13 +1,14 @@
-// describe_scenario.cpp -- every key of a scenario with its unit, limits and default, read off the configurations.
+// describe_scenario.cpp -- every key of a scenario with its unit, limits and default, from the tables of the
+// configurations.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "insonify/describe.h"
 #include "insonify/scenario.h"
-#include "insonify/words.h"
-#include "io/scenario/preset_choice.h"
+#include "io/scenario/file_choices.h"
 #include "io/scenario/yaml_read.h"
 
 namespace insonify {
@@ -61,65 +62,41 @@ template <typename Number>
 Texts texts_of(const Field& field, const std::optional<Number>& /*member*/) {
   return {(std::is_integral_v<Number> ? "whole, " : "") + field.limits.text(file_scale_of(field)), kNoDefault};
 }
-template <typename Enum>
-requires std::is_enum_v<Enum> Texts texts_of(const Field& /*field*/, const Enum& member) {
-  Texts texts;
-  for (const auto& [word, meaning] : words_of<Enum>()) {
-    texts.allowed += fmt::format("{}{}", texts.allowed.empty() ? "" : ", ", word);
-    texts.default_value = meaning == member ? std::string(word) : texts.default_value;
-  }
-  return texts;
+Texts texts_of(const Field& /*field*/, const EnumWord& member) {
+  return {fmt::format("{}", fmt::join(member.list->words, ", ")), std::string(member.text())};
 }
 
-template <typename Config>
-void add_keys(SectionDescription& section, const Config& defaults = {}) {
-  Config::visit_fields(defaults, [&](const Field& field, const auto& member) {
-    const Texts texts = texts_of(field, member);
+void add_keys(SectionDescription& section, const SettingsTable& table) {
+  for (const FieldEntry& field : table.fields) {
+    const Texts texts = field.get(table.defaults, [&](const auto& member) { return texts_of(field, member); });
     section.keys.push_back({file_name_of(field), std::string(file_unit_of(field)), texts.allowed, texts.default_value,
                             std::string(field.help)});
     if (is_orientation(field)) {
       section.keys.push_back({quaternion_name_of(field), "", "four numbers", kNoDefault,
                               fmt::format("Instead of {}: a unit quaternion, [w, x, y, z].", file_name_of(field))});
     }
-  });
-}
-
-// An entry of a part with its defaults: the struct itself, or one element of an optional, a list or a map.
-template <typename Member>
-auto entry_of(const Member& member) {
-  if constexpr (requires { typename Member::mapped_type; }) {
-    return typename Member::mapped_type{};
-  } else if constexpr (requires { typename Member::value_type; }) {
-    return typename Member::value_type{};
-  } else {
-    return member;
   }
 }
 
-template <typename Config>
-void add_sections(std::string name, std::string help, const Config& defaults,
+void add_sections(std::string name, std::string help, const SettingsTable& table,
                   std::vector<SectionDescription>& sections) {
   SectionDescription section{std::move(name), std::move(help), {}};
-  if constexpr (std::is_same_v<Config, SonarConfig>) {
-    add_keys(section, PresetChoice());
+  if (&table == &table_of<SonarConfig>()) {
+    add_keys(section, table_of<PresetChoice>());
   }
-  add_keys(section, defaults);
-  if constexpr (std::is_same_v<Config, Scenario>) {
+  add_keys(section, table);
+  if (&table == &table_of<Scenario>()) {
     std::ranges::find(section.keys, "engine", &KeyDescription::key)->allowed =
         fmt::format("{}", fmt::join(engine_names(), ", "));
   }
-  if constexpr (HasParts<Config>) {
-    Config::visit_parts(defaults, [&](const Part& part, const auto&) {
-      section.keys.push_back({std::string(part.name), "", std::string(part.kind), kNoDefault, std::string(part.help)});
-    });
+  for (const PartEntry& part : table.parts) {
+    section.keys.push_back({std::string(part.name), "", std::string(part.kind), kNoDefault, std::string(part.help)});
   }
   sections.push_back(std::move(section));
-  if constexpr (HasParts<Config>) {
-    Config::visit_parts(defaults, [&](const Part& part, const auto& member) {
-      if (!part.about.empty()) {
-        add_sections(std::string(part.name), std::string(part.about), entry_of(member), sections);
-      }
-    });
+  for (const PartEntry& part : table.parts) {
+    if (!part.about.empty()) {
+      add_sections(std::string(part.name), std::string(part.about), *part.table, sections);
+    }
   }
 }
 
@@ -129,7 +106,7 @@ std::vector<SectionDescription> describe_scenario() {
   std::vector<SectionDescription> sections;
   add_sections("scenario",
                "The keys of the file itself. Only `sonars` must be there, and `world`, `points` or `surface`.",
-               Scenario(), sections);
+               table_of<Scenario>(), sections);
   return sections;
 }
 

@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <set>
 
-#include "base/nearest_name.h"
+#include "base/names.h"
 #include "insonify/files.h"
 #include "io/file/input_file.h"
 #include "io/scenario/preset_file.h"
-#include "io/scenario/preset_folder.h"
 #include "io/scenario/yaml_read.h"
 
 namespace insonify {
@@ -78,23 +77,19 @@ class FactReader {
 
  private:
   static std::vector<std::string> known_keys() {
-    std::vector<std::string> keys = field_keys_of<SonarConfig>();
-    const std::vector<std::string> more = field_keys_of<Instrument>();
+    std::vector<std::string> keys = keys_of(table_of<SonarConfig>(), false);
+    const std::vector<std::string> more = keys_of(table_of<Instrument>());
     keys.insert(keys.end(), more.begin(), more.end());
     return keys;
   }
 
   static std::string unit_of(const std::string& key) {
     std::string unit;
-    const auto note_unit = [&](const Field& field, const auto&) {
-      if (file_name_of(field) == key) {
-        unit = file_unit_of(field);
+    for (const SettingsTable* table : {&table_of<SonarConfig>(), &table_of<Instrument>()}) {
+      for (const FieldEntry& field : table->fields) {
+        unit = file_name_of(field) == key ? file_unit_of(field) : unit;
       }
-    };
-    const SonarConfig sonar;
-    const Instrument instrument;
-    SonarConfig::visit_fields(sonar, note_unit);
-    Instrument::visit_fields(instrument, note_unit);
+    }
     return unit;
   }
 

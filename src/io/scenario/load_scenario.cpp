@@ -13,16 +13,9 @@
 #include "io/file/input_file.h"
 #include "io/file/xml_file.h"
 #include "io/scenario/check_effects.h"
-#include "io/scenario/odd_settings.h"
-#include "io/scenario/read_material.h"
 #include "io/scenario/read_sonar.h"
-#include "io/scenario/read_trajectory.h"
-#include "io/scenario/scenario_keys.h"
-#include "io/scenario/sdf_world.h"
-#include "io/scenario/stonefish_world.h"
 #include "io/scenario/world_sonars.h"
 #include "io/scenario/yaml_read.h"
-#include "io/scenario/yaml_settings.h"
 
 namespace insonify {
 namespace {
@@ -60,7 +53,7 @@ class ScenarioReader {
     read_world();
     read_default_material();
     // Sonars last: a preset's ping period follows from the speed of sound at their depth.
-    read_parts(tree_, "", scenario_, scenario_.places, [](std::string_view part) { return part != "sonars"; });
+    read_parts(tree_, "", scenario_, scenario_.places, "sonars");
     read_sonars();
     if (scenario_.sonars.empty()) {
       refuse_missing_world();
@@ -171,7 +164,7 @@ Scenario read_scenario(const std::string& text, const std::filesystem::path& pat
   const bool has_stonefish_sonars = add_stonefish_sonars(tree, path, settings, log);
   const bool has_world_sonars = has_stonefish_sonars || add_sdf_sonars(tree, path, settings, log);
   for (const std::string& setting : settings) {
-    apply_setting(tree, setting, scenario_keys(), sonar_keys(), part_keys());
+    apply_setting(tree, setting);
   }
   if (has_stonefish_sonars) {
     remove_idle_stonefish_gains(tree);

@@ -8,7 +8,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "base/nearest_name.h"
+#include "base/names.h"
 #include "insonify/files.h"
 #include "insonify/printable.h"
 #include "io/file/input_file.h"
@@ -123,10 +123,9 @@ class TrajectoryReader {
               degrees = count({kRollDeg, kPitchDeg, kYawDeg});
     if (count({kTime, kX, kY, kZ}) < 4 || quaternion % 4 != 0 || radians % 3 != 0 || degrees % 3 != 0 ||
         (quaternion > 0) + (radians > 0) + (degrees > 0) > 1) {
-      throw Error(
-          fmt::format("the columns are {}; they must be time, x, y, z and, for the orientation, either qw, qx, qy, "
-                      "qz or roll, pitch, yaw [rad] or roll_deg, pitch_deg, yaw_deg",
-                      column_names()))
+      throw Error(fmt::format("the columns are {}; they must be time, x, y, z and, for the orientation, either qw, qx, "
+                              "qy, qz or roll, pitch, yaw [rad] or roll_deg, pitch_deg, yaw_deg",
+                              column_names()))
           .at(place());
     }
   }

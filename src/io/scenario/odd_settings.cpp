@@ -1,7 +1,5 @@
 // odd_settings.cpp -- conditions under which keys act, and checks of levels and times that are valid but unlikely.
 
-#include "io/scenario/odd_settings.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 
 #include "insonify/error.h"
 #include "insonify/printable.h"
+#include "io/scenario/check_effects.h"
 
 namespace insonify {
 namespace {
@@ -181,11 +180,12 @@ void check_pulse(const Scenario& scenario, const std::string& object, const Rece
   const bool own = with.receiver.pulse == PulseKind::kInstrument;
   const std::string whose = own ? object : with.sonar.receiver ? object + ".receiver" : "receiver";
   lines.push_back(located_text(
-      scenario, Error(whose, "pulse_duration",
-                      fmt::format(" = {:.4g} s is longer than the {:.4g} s in which {} receives echoes up to max_range "
-                                  "= {:.4g} m",
-                                  with.pulse.duration, listening, object, with.sonar.max_range),
-                      {object + ".max_range"})));
+      scenario,
+      Error(
+          whose, "pulse_duration",
+          fmt::format(" = {:.4g} s is longer than the {:.4g} s in which {} receives echoes up to max_range = {:.4g} m",
+                      with.pulse.duration, listening, object, with.sonar.max_range),
+          {object + ".max_range"})));
 }
 
 // Adds the lines about settings of the calibrated model.
@@ -207,9 +207,9 @@ void check_calibrated(const Scenario& scenario, std::vector<std::string>& lines)
   if (scenario.mutual_interference && scenario.sonars.size() < 2) {
     add_if_given(scenario.places, "mutual_interference", "unless there are several sonars", lines);
   }
-  visit_entries("materials", scenario.materials.overrides, [&](const std::string& name, const auto&) {
-    add_idle_keys(scenario.places, name, kOfMaterial, all, lines);
-  });
+  for (const auto& [name, material] : scenario.materials.overrides) {
+    add_idle_keys(scenario.places, "materials." + name, kOfMaterial, all, lines);
+  }
   check_parts(scenario, lines);
   if (scenario.surface) {
     check_heights(scenario, "points", scenario.points, lines);

@@ -1,7 +1,5 @@
 // preset_folder.cpp -- folders from the environment, beside the library, and in the source tree.
 
-#include "io/scenario/preset_folder.h"
-
 #include <dlfcn.h>
 #include <fmt/format.h>
 
@@ -10,6 +8,7 @@
 #include <string>
 
 #include "insonify/error.h"
+#include "io/scenario/preset_file.h"
 #include "io/scenario/yaml_value.h"
 
 namespace insonify {

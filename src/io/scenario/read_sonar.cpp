@@ -8,9 +8,8 @@
 
 #include "base/log_line.h"
 #include "insonify/files.h"
-#include "io/scenario/preset_choice.h"
+#include "io/scenario/file_choices.h"
 #include "io/scenario/preset_file.h"
-#include "io/scenario/scenario_keys.h"
 
 namespace insonify {
 namespace {
@@ -106,7 +105,7 @@ SonarConfig read_sonar(const YamlValue& value, const std::string& object, const 
   if (value.find("receiver") != nullptr) {
     sonar.receiver = scenario.receiver;  // Defaults of the sonar's own.
   }
-  read_parts(value, object, sonar, places, [](std::string_view) { return true; });
+  read_parts(value, object, sonar, places);
   fit_to_beam_azimuths(value, object, sonar);
   refuse_head_keys(value, object, sonar);
   if (preset) {

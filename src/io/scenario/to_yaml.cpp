@@ -1,4 +1,4 @@
-// to_yaml.cpp -- writes a scenario as YAML, using the lists of fields and parts that also read it.
+// to_yaml.cpp -- writes a scenario as YAML, by the tables of fields and parts that also read it.
 
 #include <fmt/format.h>
 
@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "insonify/files.h"
-#include "insonify/words.h"
 #include "io/file/input_file.h"
 #include "io/scenario/yaml_value.h"
 
@@ -16,14 +15,6 @@ namespace insonify {
 namespace {
 
 using Kind = YamlValue::Kind;
-
-YamlValue scalar(std::string text, bool quoted = false) {
-  YamlValue value;
-  value.kind = Kind::kScalar;
-  value.scalar = std::move(text);
-  value.quoted = quoted;
-  return value;
-}
 
 // The shortest number of degrees that is read as these radians, or the nearest: not every number of radians has one, as
 // degrees can be the coarser of the two.
@@ -69,25 +60,16 @@ YamlValue written(const Field& /*field*/, const std::string& member) {
 YamlValue written(const Field& /*field*/, const std::filesystem::path& member) {
   return member.empty() ? YamlValue() : scalar(member.string(), true);
 }
-template <typename Enum>
-requires std::is_enum_v<Enum> YamlValue written(const Field& /*field*/, const Enum& member) {
-  return scalar(std::string(word_of(member)));
+YamlValue written(const Field& /*field*/, const EnumWord& member) {
+  return scalar(std::string(member.text()));
 }
 template <typename List>
-requires std::is_same_v<List, Vec3> || std::is_same_v<List, std::vector<double>> ||
-    std::is_same_v<List, std::vector<int>>
-        YamlValue written(const Field& field, const List& member) {
-  YamlValue list;
-  list.kind = Kind::kList;
-  for (const auto value : member) {
-    list.items.push_back(written(field, value));
-  }
-  return list;
+requires requires(const List& list) {
+  list.begin();
 }
-YamlValue written(const Field& field, const std::vector<std::string>& member) {
-  YamlValue list;
-  list.kind = Kind::kList;
-  for (const std::string& value : member) {
+YamlValue written(const Field& field, const List& member) {
+  YamlValue list{.kind = Kind::kList};
+  for (const auto& value : member) {
     list.items.push_back(written(field, value));
   }
   return list;
@@ -102,79 +84,58 @@ bool same(const YamlValue& a, const YamlValue& b) {
 }
 
 // Keys that the reader refuses: they follow from others, or have no effect on this type of sonar.
-bool is_refused(const SonarConfig& sonar, const Field& field) {
+bool is_refused(ConstSettings settings, const Field& field) {
+  if (settings.table != &table_of<SonarConfig>()) {
+    return false;
+  }
+  const auto& sonar = *static_cast<const SonarConfig*>(settings.config);
   const std::string_view name = field.name;
   const bool head = name == "step" || name == "sector_center" || name == "sector_width" || name == "mounting";
   return (head && !sonar.scans()) || (name == "azimuth_aperture" && sonar.beam_azimuths.size() > 1);
 }
-template <typename Config>
-bool is_refused(const Config& /*config*/, const Field& /*field*/) {
-  return false;
-}
 
-YamlValue::Entry entry(const std::string& key, YamlValue value) {
-  return {key, std::move(value)};
-}
-
-template <typename Config>
-YamlValue map_of(ActsIn idle, const Config& config, const Config& defaults = {});
-
-template <typename Member>
-YamlValue written_part(ActsIn idle, const Member& member, const Member& defaults) {
-  YamlValue part;
-  if constexpr (requires { member.has_value(); }) {
-    return member ? map_of(idle, *member) : part;
-  } else if constexpr (requires { typename Member::mapped_type; }) {
-    part.kind = Kind::kMap;
-    for (const auto& [key, value] : member) {
-      part.entries.push_back(entry(key, map_of(idle, value)));
-    }
-    return member.empty() ? YamlValue() : part;
-  } else if constexpr (requires { member.begin(); }) {
-    part.kind = Kind::kList;
-    for (const auto& value : member) {
-      part.items.push_back(map_of(idle, value));
-    }
-    return member.empty() ? YamlValue() : part;
-  } else {
-    part = map_of(idle, member, defaults);
-    return part.entries.empty() ? YamlValue() : part;
-  }
-}
+YamlValue written_part(ActsIn idle, const PartEntry& part, const void* config);
 
 // What differs from the defaults.
 // @param idle  The model that the scenario does not use, whose fields are omitted.
-template <typename Config>
-YamlValue map_of(ActsIn idle, const Config& config, const Config& defaults) {
-  YamlValue map;
-  map.kind = Kind::kMap;
-  std::vector<YamlValue> usual;
-  Config::visit_fields(defaults,
-                       [&](const Field& field, const auto& member) { usual.push_back(written(field, member)); });
-  auto next = usual.begin();
-  Config::visit_fields(config, [&](const Field& field, const auto& member) {
-    YamlValue value = written(field, member);
-    if (!same(value, *next++) && field.acts != idle && !is_refused(config, field)) {
-      map.entries.push_back(
-          entry(file_name_of(field), value.kind == Kind::kNothing ? scalar("none") : std::move(value)));
+YamlValue map_of(ActsIn idle, ConstSettings settings, const void* defaults) {
+  YamlValue map{.kind = Kind::kMap};
+  for (const FieldEntry& field : settings.table->fields) {
+    const auto write = [&](const auto& member) { return written(field, member); };
+    YamlValue value = field.get(settings.config, write);
+    if (!same(value, field.get(defaults, write)) && field.acts != idle && !is_refused(settings, field)) {
+      map.entries.push_back({file_name_of(field), value.kind == Kind::kNothing ? scalar("none") : std::move(value)});
     }
-  });
-  if constexpr (HasParts<Config>) {
-    Config::visit_parts(config, [&]<typename Member>(const Part& part, const Member& member) {
-      YamlValue value = written_part(idle, member, Member{});
-      if (value.kind != Kind::kNothing) {
-        map.entries.push_back(entry(std::string(part.name), std::move(value)));
-      }
-    });
+  }
+  for (const PartEntry& part : settings.table->parts) {
+    YamlValue value = written_part(idle, part, settings.config);
+    if (value.kind != Kind::kNothing) {
+      map.entries.push_back({std::string(part.name), std::move(value)});
+    }
   }
   return map;
+}
+
+YamlValue written_part(ActsIn idle, const PartEntry& part, const void* config) {
+  YamlValue list{.kind = part.shape == PartShape::kMap ? Kind::kMap : Kind::kList};
+  for (const auto& [suffix, settings] : part.entries(config)) {
+    YamlValue map = map_of(idle, settings, part.table->defaults);
+    if (part.shape == PartShape::kMap) {
+      list.entries.push_back({suffix.substr(1), std::move(map)});
+    } else if (part.shape == PartShape::kList) {
+      list.items.push_back(std::move(map));
+    } else {
+      return part.shape == PartShape::kStruct && map.entries.empty() ? YamlValue() : map;
+    }
+  }
+  return list.entries.empty() && list.items.empty() ? YamlValue() : list;
 }
 
 // Replaces each sonar's own receiver by its differences from the scenario's receiver, from which reading starts.
 void write_receivers(ActsIn idle, const Scenario& scenario, YamlValue& map) {
   for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
     if (scenario.sonars[i].receiver) {
-      *map.find("sonars")->items[i].find("receiver") = map_of(idle, *scenario.sonars[i].receiver, scenario.receiver);
+      *map.find("sonars")->items[i].find("receiver") = map_of(idle, *scenario.sonars[i].receiver, &scenario.receiver);
     }
   }
 }
@@ -189,17 +150,19 @@ std::string to_yaml(const Scenario& scenario) {
   };
   make_absolute(whole.world);
   for (auto& [name, changes] : whole.materials.overrides) {
-    MaterialOverride::visit_fields(changes, [&]<typename Member>(const Field&, Member& member) {
-      if constexpr (std::is_same_v<Member, std::filesystem::path>) {
-        make_absolute(member);
-      }
-    });
+    for (const FieldEntry& field : table_of<MaterialOverride>().fields) {
+      field.change(&changes, [&]<typename Member>(Member& member) {
+        if constexpr (std::is_same_v<Member, std::filesystem::path>) {
+          make_absolute(member);
+        }
+      });
+    }
   }
   const ActsIn idle = scenario.model == EchoModel::kPaper ? ActsIn::kCalibrated : ActsIn::kPaper;
-  YamlValue map = map_of(idle, whole);
+  YamlValue map = map_of(idle, whole, table_of<Scenario>().defaults);
   write_receivers(idle, whole, map);
   if (whole.world.empty() && whole.points.empty() && !whole.surface) {
-    map.entries.insert(map.entries.begin(), entry("world", scalar("none")));
+    map.entries.insert(map.entries.begin(), {"world", scalar("none")});
   }
   return write_yaml(map);
 }

@@ -1,4 +1,4 @@
-// yaml_read.cpp -- converts YAML scalars and lists to the types of members, with messages for values of another type.
+// yaml_read.cpp -- converts YAML to members, with messages for values of another type.
 
 #include "io/scenario/yaml_read.h"
 
@@ -8,7 +8,7 @@
 #include <charconv>
 #include <limits>
 
-#include "base/nearest_name.h"
+#include "base/names.h"
 #include "insonify/printable.h"
 
 namespace insonify {
@@ -88,10 +88,10 @@ int stored_whole_number(const YamlValue& value, std::string_view object, const F
   refuse(value, name_of(object, field, index), number_wanted(field, "a whole number"));
 }
 
-std::string listed(std::span<const std::string> words) {
-  std::string text = words.front();
+std::string listed(std::span<const std::string_view> words) {
+  std::string text(words.front());
   for (std::size_t i = 1; i < words.size(); ++i) {
-    text += (i + 1 < words.size() ? ", " : " or ") + words[i];
+    text += fmt::format("{}{}", i + 1 < words.size() ? ", " : " or ", words[i]);
   }
   return text;
 }
@@ -214,6 +214,15 @@ void read_member(const YamlValue& value, std::string_view object, const Field& f
   }
 }
 
+void read_member(const YamlValue& value, std::string_view object, const Field& field, EnumWord& member) {
+  const std::vector<std::string_view>& words = member.list->words;
+  const auto word = value.kind == Kind::kScalar ? std::ranges::find(words, value.scalar) : words.end();
+  if (word == words.end()) {
+    refuse(value, name_of(object, field), listed(words));
+  }
+  member.index = static_cast<std::size_t>(word - words.begin());
+}
+
 void read_quaternion(const YamlValue& value, std::string_view object, const Field& field, bool twice, Vec3& rpy) {
   const std::string key = quaternion_name_of(field);
   if (twice) {
@@ -231,15 +240,6 @@ void read_quaternion(const YamlValue& value, std::string_view object, const Fiel
         .at(value.place);
   }
   rpy = rpy_from_orientation(quaternion.normalized());
-}
-
-std::size_t read_word(const YamlValue& value, std::string_view object, const Field& field,
-                      std::span<const std::string> words) {
-  const auto word = value.kind == Kind::kScalar ? std::ranges::find(words, value.scalar) : words.end();
-  if (word == words.end()) {
-    refuse(value, name_of(object, field), listed(words));
-  }
-  return static_cast<std::size_t>(word - words.begin());
 }
 
 }  // namespace insonify

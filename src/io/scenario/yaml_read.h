@@ -1,19 +1,17 @@
-// yaml_read.h -- fills configurations from YAML by their field lists.
+// yaml_read.h -- fills configurations from YAML by their tables of fields and parts.
 
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "insonify/error.h"
-#include "insonify/field.h"
 #include "insonify/geometry.h"
-#include "insonify/words.h"
+#include "insonify/settings_table.h"
 #include "io/scenario/yaml_value.h"
 
 namespace insonify {
@@ -50,30 +48,20 @@ void with_place(const Place& place, Function&& function) {
   return std::string(field.name) + "_wxyz";
 }
 
-/// Names of a configuration's fields as files spell them, without its parts.
-template <typename Config>
-[[nodiscard]] std::vector<std::string> field_keys_of() {
-  std::vector<std::string> keys;
-  const Config config{};
-  Config::visit_fields(config, [&](const Field& field, const auto&) {
-    keys.push_back(file_name_of(field));
-    if (is_orientation(field)) {
-      keys.push_back(quaternion_name_of(field));
-    }
-  });
-  return keys;
-}
+/// Names of a configuration's fields as files spell them.
+/// @param with_parts  Whether those of its parts follow.
+[[nodiscard]] std::vector<std::string> keys_of(const SettingsTable& table, bool with_parts = true);
 
-/// Names of a configuration's fields and parts as files spell them.
-template <typename Config>
-[[nodiscard]] std::vector<std::string> keys_of() {
-  std::vector<std::string> keys = field_keys_of<Config>();
-  if constexpr (HasParts<Config>) {
-    const Config config{};
-    Config::visit_parts(config, [&](const Part& part, const auto&) { keys.emplace_back(part.name); });
-  }
-  return keys;
-}
+/// Keys of a scenario file.
+[[nodiscard]] std::vector<std::string> scenario_keys();
+
+/// Keys of one entry of `sonars`.
+[[nodiscard]] std::vector<std::string> sonar_keys();
+
+/// Keys of the single parts of both, as paths: "water.depth", "receiver.noise", "sampling.rows". Keys within lists have
+/// no fixed path.
+/// @param sonar  Prefix of paths in a sonar's parts: "sonars[0]"; "" if they all refer to a sonar.
+[[nodiscard]] std::vector<std::string> part_keys(const std::string& sonar = "");
 
 // One value into one member; `object` is what the field belongs to. Each throws Error with the value's place.
 void read_member(const YamlValue& value, std::string_view object, const Field& field, double& member);
@@ -87,6 +75,8 @@ void read_member(const YamlValue& value, std::string_view object, const Field& f
 void read_member(const YamlValue& value, std::string_view object, const Field& field, std::vector<int>& member);
 void read_member(const YamlValue& value, std::string_view object, const Field& field, std::vector<std::string>& member);
 
+void read_member(const YamlValue& value, std::string_view object, const Field& field, EnumWord& member);
+
 /// `none` and null reset the member.
 template <typename T>
 void read_member(const YamlValue& value, std::string_view object, const Field& field, std::optional<T>& member) {
@@ -99,111 +89,30 @@ void read_member(const YamlValue& value, std::string_view object, const Field& f
   member = found;
 }
 
-/// Index in `words` of the word that the value is.
-[[nodiscard]] std::size_t read_word(const YamlValue& value, std::string_view object, const Field& field,
-                                    std::span<const std::string> words);
-
-template <typename Enum>
-requires std::is_enum_v<Enum>
-void read_member(const YamlValue& value, std::string_view object, const Field& field, Enum& member) {
-  std::vector<std::string> words;
-  for (const auto& [word, meaning] : words_of<Enum>()) {
-    words.emplace_back(word);
-  }
-  member = words_of<Enum>()[read_word(value, object, field, words)].second;
-}
-
 /// Reads a quaternion [w, x, y, z], of a norm within 1 % of 1, as roll, pitch and yaw.
 /// @param twice  Whether the map gives the angles as well, which is an error.
 void read_quaternion(const YamlValue& value, std::string_view object, const Field& field, bool twice, Vec3& rpy);
 
 /// Fills those fields of a configuration that a map gives; keys it does not know are left to check_keys().
-template <typename Config>
-void read_fields(const YamlValue& map, std::string_view object, Config& config, Places& places) {
-  Config::visit_fields(config, [&](const Field& field, auto& member) {
-    const std::string key = file_name_of(field);
-    if (const YamlValue* value = map.find(key)) {
-      places[member_name(object, key)] = value->place;
-      read_member(*value, object, field, member);
-    }
-    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(member)>, Vec3>) {
-      const YamlValue* quaternion = is_orientation(field) ? map.find(quaternion_name_of(field)) : nullptr;
-      if (quaternion != nullptr) {
-        read_quaternion(*quaternion, object, field, map.find(key) != nullptr, member);
-      }
-    }
-  });
-}
+void read_fields(const YamlValue& map, std::string_view object, Settings settings, Places& places);
 
-/// Fills a configuration's fields and parts from a map without other keys. Configurations that files may
-/// write otherwise have an overload of their own.
-template <typename Config>
-void read_section(const YamlValue& value, std::string_view object, Config& config, Places& places);
+/// Fills those parts of a configuration that a map gives, but for the part named `except`. Null resets an optional and
+/// empties a list. A trajectory may be a file, a material just the name of another.
+/// @param places  With the place of "", the scenario's file, whose folder is the base of file names.
+void read_parts(const YamlValue& map, std::string_view object, Settings settings, Places& places,
+                std::string_view except = {});
 
-// Reads one part: a struct, an optional struct, a list or a map of structs. Null resets an optional and empties a list.
-template <typename Config>
-void read_part(const YamlValue& value, const std::string& name, const Part& /*part*/, Config& config, Places& places) {
-  read_section(value, name, config, places);
-}
-template <typename Config>
-void read_part(const YamlValue& value, const std::string& name, const Part& /*part*/, std::optional<Config>& config,
-               Places& places) {
-  if (value.kind == YamlValue::Kind::kNothing) {
-    config.reset();
-    return;
-  }
-  config = config.value_or(Config{});
-  read_section(value, name, *config, places);
-}
-template <typename Config>
-void read_part(const YamlValue& value, const std::string& name, const Part& part, std::vector<Config>& configs,
-               Places& places) {
-  configs.clear();
-  if (value.kind == YamlValue::Kind::kNothing) {
-    return;
-  }
-  require_list(value, name, "a " + std::string(part.kind));
-  for (const YamlValue& item : value.items) {
-    const std::string object = name + "[" + std::to_string(configs.size()) + "]";
-    read_section(item, object, configs.emplace_back(), places);
-  }
-}
-template <typename Config>
-void read_part(const YamlValue& value, const std::string& name, const Part& part,
-               std::map<std::string, Config>& configs, Places& places) {
-  require_map(value, name, "a " + std::string(part.kind));
-  for (const auto& [key, entry] : value.entries) {
-    if (key.empty()) {
-      throw Error("", name, " has an entry without a name").at(entry.place);
-    }
-    read_section(entry, member_name(name, key), configs[key], places);
-  }
-}
+/// Fills a configuration's fields and parts from a map without other keys.
+void read_section(const YamlValue& value, std::string_view object, Settings settings, Places& places);
 
-/// Fills those parts of a configuration that a map gives.
-/// @param takes  Whether a part is to be read, by its name.
-template <typename Config, typename Takes>
-void read_parts(const YamlValue& map, std::string_view object, Config& config, Places& places, Takes&& takes) {
-  Config::visit_parts(config, [&](const Part& part, auto& member) {
-    const YamlValue* value = map.find(part.name);
-    if (value != nullptr && takes(part.name)) {
-      const std::string name = member_name(object, part.name);
-      places[name] = value->place;
-      read_part(*value, name, part, member, places);
-    }
-  });
-}
+/// The name of a material.
+/// @throws Error if it is empty.
+[[nodiscard]] std::string material_name(const YamlValue& value, std::string_view object);
 
-template <typename Config>
-void read_section(const YamlValue& value, std::string_view object, Config& config, Places& places) {
-  const std::vector<std::string> keys = keys_of<Config>();
-  require_map(value, object, "a map of keys such as " + keys.front());
-  places[std::string(object)] = value.place;
-  check_keys(value, object, keys);
-  read_fields(value, object, config, places);
-  if constexpr (HasParts<Config>) {
-    read_parts(value, object, config, places, [](std::string_view) { return true; });
-  }
-}
+/// Applies one setting: "pings=3", "water.depth=4", "sonars[0].max_range=30", "sonars.fls.max_range=30", or a sonar's
+/// field alone, which means every sonar's. Messages on its value begin with `--set key=value: `.
+/// @throws Error "--set key=value: ..." for a key that names nothing; for an unknown one with the nearest known
+/// key.
+void apply_setting(YamlValue& scenario, const std::string& setting);
 
 }  // namespace insonify

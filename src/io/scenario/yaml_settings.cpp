@@ -1,7 +1,5 @@
 // yaml_settings.cpp -- finds or creates the value in a scenario's tree that a setting's key names.
 
-#include "io/scenario/yaml_settings.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -157,20 +155,20 @@ void put(YamlValue& tree, std::span<const Step> steps, std::string name, const Y
 
 }  // namespace
 
-void apply_setting(YamlValue& scenario, const std::string& text, std::span<const std::string> scenario_keys,
-                   std::span<const std::string> sonar_keys, std::span<const std::string> part_keys) {
+void apply_setting(YamlValue& scenario, const std::string& text) {
   const Setting setting = parse_setting(text);
   const std::string& first = setting.steps.front().name;
-  if (contains(scenario_keys, first)) {
+  std::vector<std::string> keys = scenario_keys();
+  if (contains(keys, first)) {
     put(scenario, setting.steps, "", setting.value, setting.place);
     return;
   }
-  if (!contains(sonar_keys, first)) {
-    std::vector<std::string> keys(scenario_keys.begin(), scenario_keys.end());
-    keys.insert(keys.end(), sonar_keys.begin(), sonar_keys.end());
+  const std::vector<std::string> of_sonar = sonar_keys();
+  if (!contains(of_sonar, first)) {
+    keys.insert(keys.end(), of_sonar.begin(), of_sonar.end());
     const bool angle = contains(keys, first + "_deg");
     throw Error(angle ? fmt::format("{0} must be written {0}_deg, in degrees", first)
-                      : fmt::format("{} is not a known key{}", first, key_suggestion(first, keys, part_keys)))
+                      : fmt::format("{} is not a known key{}", first, key_suggestion(first, keys, part_keys())))
         .at(setting.place);
   }
   YamlValue* sonars = scenario.find("sonars");

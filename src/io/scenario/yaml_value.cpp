@@ -252,6 +252,10 @@ std::string YamlValue::shown() const {
   return printable(text + "]");
 }
 
+YamlValue scalar(std::string text, bool quoted) {
+  return {.kind = YamlValue::Kind::kScalar, .scalar = std::move(text), .quoted = quoted};
+}
+
 YamlValue parse_yaml(const std::string& text, const std::string& path) {
   return parse(text, {path}, true);
 }

@@ -16,11 +16,11 @@ struct YamlValue {
   struct Entry;
 
   Kind kind = Kind::kNothing;
-  Place place;                   ///< For messages: of the key in a map, else of the value itself.
-  std::string scalar;            ///< Text of a scalar.
-  bool quoted = false;           ///< Whether the scalar was in quotes, and so is text even if it looks like a number.
-  std::vector<YamlValue> items;  ///< Items of a list.
-  std::vector<Entry> entries;    ///< Entries of a map, in order; keys differ.
+  Place place = {};         ///< For messages: of the key in a map, else of the value itself.
+  std::string scalar = {};  ///< Text of a scalar.
+  bool quoted = false;      ///< Whether the scalar was in quotes, and so is text even if it looks like a number.
+  std::vector<YamlValue> items = {};  ///< Items of a list.
+  std::vector<Entry> entries = {};    ///< Entries of a map, in order; keys differ.
 
   /// The value of a key, or null.
   [[nodiscard]] const YamlValue* find(std::string_view key) const;
@@ -34,6 +34,9 @@ struct YamlValue::Entry {
   std::string key;
   YamlValue value;
 };
+
+/// A scalar without a place.
+[[nodiscard]] YamlValue scalar(std::string text, bool quoted = false);
 
 /// Reads one YAML document, merge keys (`<<: *name`) included.
 /// @param path  The file's name in messages.

@@ -1,4 +1,4 @@
-// sdf_check.cpp -- checks the numbers, links and names of SDF elements.
+// sdf_check.cpp -- checks the version of an SDF file, and the numbers, links and names of its elements.
 
 #include "io/sdf/sdf_check.h"
 
@@ -7,10 +7,13 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <set>
 #include <sstream>
+#include <utility>
 
+#include "base/log_line.h"
 #include "insonify/error.h"
 #include "insonify/printable.h"
 
@@ -105,6 +108,9 @@ void check_name(const XmlFile& file, pugi::xml_node element) {
   }
 }
 
+// Versions of SDF that libsdformat 12 supports.
+constexpr std::pair kOldest{1, 4}, kNewest{1, 9};
+
 }  // namespace
 
 void check_sdf_element(const XmlFile& file, pugi::xml_node element) {
@@ -112,6 +118,35 @@ void check_sdf_element(const XmlFile& file, pugi::xml_node element) {
   check_numbers(file, element);
   check_links(file, element);
   check_name(file, element);
+}
+
+void check_sdf_version(const XmlFile& file, const Log& log) {
+  const pugi::xml_node root = file.root();
+  const std::string where = file.where(root);
+  const std::string_view name = root.name();
+  if (name != "sdf") {
+    throw Error(fmt::format("{}the root element is <{}>, not <sdf>{}", where, printable(name),
+                            name == "robot" ? "; 'gz sdf -p' or 'ign sdf -p' turns URDF into SDF" : ""));
+  }
+  if (!root.attribute("version")) {
+    throw Error(where + "<sdf> has no version, 1.4 to 1.9 are read");
+  }
+  const std::string version = root.attribute("version").value();
+  int major = 0, minor = 0, length = 0;
+  if (std::sscanf(version.c_str(), "%d.%d%n", &major, &minor, &length) != 2 ||
+      length != static_cast<int>(version.size())) {
+    throw Error(fmt::format("{}SDF version '{}' is not two numbers, 1.4 to 1.9 are read", where, printable(version)));
+  }
+  const auto number = std::pair(major, minor);
+  if (number < kOldest) {
+    log_line(log, Severity::kWarning,
+             fmt::format("{}SDF version {} is older than {}.{}, the oldest that is known to be read right", where,
+                         printable(version), kOldest.first, kOldest.second));
+  } else if (number > kNewest) {
+    log_line(log, Severity::kWarning,
+             fmt::format("{}SDF version {} is newer than {}.{} and read as that; new features are ignored", where,
+                         printable(version), kNewest.first, kNewest.second));
+  }
 }
 
 }  // namespace insonify

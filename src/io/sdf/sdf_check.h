@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include "insonify/log.h"
 #include "io/file/xml_file.h"
 
 namespace insonify {
@@ -10,5 +11,9 @@ namespace insonify {
 /// earlier sibling of the same kind has its name.
 /// @throws Error "path:line:column: ..."
 void check_sdf_element(const XmlFile& file, pugi::xml_node element);
+
+/// @param log  Receives warnings about versions other than 1.4 to 1.9, which are still read.
+/// @throws Error for a root element other than <sdf>, and for a version that is missing or not two numbers.
+void check_sdf_version(const XmlFile& file, const Log& log);
 
 }  // namespace insonify

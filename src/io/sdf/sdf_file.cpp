@@ -1,19 +1,126 @@
-// sdf_file.cpp -- reads a file by libsdformat, without its joints if need be.
+// sdf_file.cpp -- reads a file by libsdformat, without its joints if need be; of a list of errors one message about the
+// cause.
 
 #include "io/sdf/sdf_file.h"
 
 #include <fmt/format.h>
 
+#include <exception>
+#include <sdf/Console.hh>
+#include <sdf/parser.hh>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "base/log_line.h"
 #include "insonify/error.h"
-#include "io/sdf/sdf_root.h"
+#include "io/file/input_file.h"
+#include "io/sdf/sdf_console.h"
 
 namespace insonify {
 namespace {
+
+namespace fs = std::filesystem;
+
+// The file that a model.config lists for the newest known version; an empty path if it is malformed.
+fs::path listed_file(const fs::path& folder) {
+  const SdfConsole quiet;
+  try {
+    return sdf::getModelFilePath(folder.string());
+  } catch (const std::exception&) {  // Thrown for a version that is not a number.
+    return {};
+  }
+}
+
+// Errors that only repeat the cause for each element around the faulty one.
+bool is_echo(const sdf::Error& error) {
+  const std::string text = error.Message();
+  return text.starts_with("Error reading element <") || text.starts_with("Unable to read file") ||
+         text.starts_with("Failed to load a world");
+}
+
+// "/sdf/model[@name="ship"]/link[@name="hull"]" gives "link".
+std::string element_of(const std::string& xml_path) {
+  const std::string last = xml_path.substr(xml_path.rfind('/') + 1);
+  return last.substr(0, last.find('['));
+}
+
+// "path:line:column: ". Errors without a line give names in brackets, "link with name[ship::hull]": the first name that
+// belongs to an element gives the place.
+std::string where(const sdf::Error& error, const std::string& file, const SdfSource& source) {
+  const std::string path = error.FilePath().value_or(file);
+  if (error.LineNumber()) {
+    return source.place(path, *error.LineNumber(), element_of(error.XmlPath().value_or(""))).text();
+  }
+  const std::string text = error.Message();
+  for (std::size_t open = text.find('['); open != std::string::npos; open = text.find('[', open + 1)) {
+    const std::string scoped = text.substr(open + 1, text.find(']', open) - open - 1);
+    const std::size_t colons = scoped.rfind("::");
+    std::string place = source.place_of_name(colons == std::string::npos ? scoped : scoped.substr(colons + 2));
+    if (!place.empty()) {
+      return place;
+    }
+  }
+  return source.shown(path) + ": ";
+}
+
+// One line for all errors. If libsdformat says only which element it could not read, the reason is on the console.
+std::string summary(const sdf::Errors& errors, const std::vector<std::string>& console, const std::string& file,
+                    const SdfSource& source) {
+  const sdf::Error* cause = &errors.front();
+  std::set<std::string> causes;
+  for (const sdf::Error& error : errors) {
+    if (!is_echo(error)) {
+      cause = causes.empty() ? &error : cause;
+      causes.insert(error.Message());
+    }
+  }
+  const bool silent = causes.empty() && !console.empty();
+  const std::string text = where(*cause, file, source) + foreign_reason(silent ? console.front() : cause->Message());
+  const std::size_t more = causes.size() > 1 ? causes.size() - 1 : 0;
+  return more == 0 ? text : fmt::format("{} (and {} more error{})", text, more, more == 1 ? "" : "s");
+}
+
+// libsdformat does not pass on errors inside included files: they are found by reading each file again.
+void explain_failure(const sdf::Errors& errors, const std::vector<std::string>& console, const SdfSource& source) {
+  for (const std::string& file : source.files()) {
+    const SdfConsole quiet;
+    sdf::Errors faults;
+    if (sdf::readFile(file, faults) == nullptr || !faults.empty()) {
+      throw Error(summary(faults.empty() ? errors : faults, quiet.sentences(), file, source));
+    }
+  }
+  throw Error(summary(errors, console, source.files().back(), source));
+}
+
+// For some faulty values libsdformat throws exceptions of the standard library.
+sdf::Errors load(const SdfSource& source, sdf::Root& root) {
+  const std::string& file = source.files().back();
+  try {
+    return root.Load(file);
+  } catch (const std::exception& exception) {
+    throw Error(fmt::format("{}: libsdformat gives up: {}", source.shown(file), foreign_reason(exception.what())));
+  }
+}
+
+// Parses the files that `source` prepared; errors become one line, warnings go to the log. Nothing is printed.
+// @throws Error "path:line:column: ..." for the first fault; the message ends with the number of further ones.
+sdf::Root read_sdf_root(const SdfSource& source, const Log& log) {
+  const SdfConsole console;
+  sdf::Root root;
+  const sdf::Errors errors = load(source, root);
+  if (!errors.empty()) {
+    explain_failure(errors, console.sentences(), source);
+  }
+  for (const std::string& sentence : console.sentences()) {
+    if (!sentence.starts_with("Unable to convert from SDF version")) {  // SdfSource warns of that, with file and line.
+      log_line(log, Severity::kWarning,
+               fmt::format("{}: {}", source.shown(source.files().back()), foreign_reason(sentence)));
+    }
+  }
+  return root;
+}
 
 SdfFile parse(const std::filesystem::path& path, bool joints, bool strict, MissingParts& missing, const Log& log) {
   SdfFile parsed;
@@ -31,6 +138,15 @@ SdfFile parse(const std::filesystem::path& path, bool joints, bool strict, Missi
 }
 
 }  // namespace
+
+std::optional<fs::path> sdf_file_of_model(const fs::path& found) {
+  if (!fs::is_directory(found)) {
+    return found;
+  }
+  const bool is_listed = fs::exists(found / "model.config") || fs::exists(found / "manifest.xml");
+  const fs::path file = is_listed ? listed_file(found) : found / "model.sdf";
+  return fs::is_regular_file(file) ? std::optional(file.lexically_normal()) : std::nullopt;
+}
 
 std::unique_lock<std::mutex> lock_sdf() {
   static std::mutex one_at_a_time;

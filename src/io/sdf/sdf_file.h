@@ -1,10 +1,11 @@
-// sdf_file.h -- a parsed SDF file with all its includes.
+// sdf_file.h -- the SDF file of a model, and a parsed file with all its includes.
 
 #pragma once
 
 #include <filesystem>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <sdf/Root.hh>
 
 #include "insonify/log.h"
@@ -12,6 +13,10 @@
 #include "io/sdf/sdf_source.h"
 
 namespace insonify {
+
+/// The SDF file for a path that an include names. For a model's folder this is the file listed in its model.config, or
+/// its model.sdf; nothing if there is none.
+[[nodiscard]] std::optional<std::filesystem::path> sdf_file_of_model(const std::filesystem::path& found);
 
 /// The files of a world, as parsed by libsdformat.
 struct SdfFile {

@@ -1,16 +1,33 @@
-// sdf_material.h -- reads the acoustic material of a visual, a collision, a link or a model in SDF.
+// sdf_material.h -- insonify's own elements in SDF, which libsdformat passes on unchanged; the acoustic material of a
+// visual, a collision, a link or a model.
 
 #pragma once
 
 #include <sdf/Element.hh>
 #include <string>
+#include <vector>
 
 namespace insonify {
 
-/// Material named by <insonify:material>steel</insonify:material>, or by <material>steel</material> in
-/// <plugin name="insonify" filename="...">, directly inside `element`; "" when there is none.
+/// One of insonify's elements.
+struct InsonifyElement {
+  sdf::ElementPtr element;
+  std::string name;  ///< Without the prefix "insonify:".
+};
+
+/// Those directly inside `holder`, <insonify:NAME>, and those in its <plugin name="insonify" filename="...">, <NAME>.
+[[nodiscard]] std::vector<InsonifyElement> insonify_elements(const sdf::ElementPtr& holder);
+
+/// A name without the prefix "insonify:".
+[[nodiscard]] std::string without_sdf_prefix(const std::string& name);
+
+/// The text of an element; "" if there is none.
+[[nodiscard]] std::string sdf_text(const sdf::ElementPtr& element);
+
+/// Material named by <insonify:material>steel</insonify:material>, or by <material>steel</material> in the plugin,
+/// directly inside `element`; "" when there is none.
 /// @param what  "path:line:column: visual 'a::b'", for messages.
-/// @throws Error for two different names, an empty one, and for unknown elements with insonify's prefix.
+/// @throws Error for two different names, an empty one, and for unknown elements of insonify's.
 [[nodiscard]] std::string sdf_material(const sdf::ElementPtr& element, const std::string& what);
 
 }  // namespace insonify

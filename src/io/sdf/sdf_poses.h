@@ -1,13 +1,27 @@
-// sdf_poses.h -- poses as libsdformat has them.
+// sdf_poses.h -- vectors and poses as libsdformat has them.
 
 #pragma once
+
+#include <sdf/sdf_config.h>
 
 #include <map>
 #include <sdf/World.hh>
 #include <string>
 
 #include "insonify/geometry.h"
-#include "io/sdf/sdf_math.h"
+
+// From Gazebo's library since version 13, from Ignition's before.
+#if SDF_MAJOR_VERSION >= 13
+#include <gz/math/Pose3.hh>
+namespace insonify {
+namespace sdf_math = gz::math;
+}
+#else
+#include <ignition/math/Pose3.hh>
+namespace insonify {
+namespace sdf_math = ignition::math;
+}
+#endif
 
 namespace insonify {
 

@@ -1,11 +1,11 @@
-// sdf_scene.cpp -- reads a world and makes a scene of it.
-
-#include "io/sdf/sdf_scene.h"
+// sdf_scene.cpp -- reads a world and makes a scene of it; what the library finds in libinsonify_sdf.
 
 #include "io/sdf/sdf_file.h"
 #include "io/sdf/sdf_scene_builder.h"
+#include "io/sdf/sdf_sonars.h"
 
 namespace insonify {
+namespace {
 
 Scene load_sdf_scene(const std::filesystem::path& path, const WorldOptions& options, const Log& log) {
   const auto lock = lock_sdf();
@@ -21,5 +21,9 @@ Scene load_sdf_scene(const std::filesystem::path& path, const WorldOptions& opti
   }
   return builder.finish(path.string());
 }
+
+}  // namespace
+
+extern "C" const SdfReader insonify_sdf_reader{&load_sdf_scene, &load_sdf_sonars};
 
 }  // namespace insonify

@@ -70,12 +70,8 @@ SdfSceneBuilder::MaterialName SdfSceneBuilder::own_or(const MaterialName& inheri
 std::optional<PlacedMesh> SdfSceneBuilder::shape_or_none(const sdf::Geometry& geometry, const std::string& where) {
   try {
     return shapes_.shape(geometry, where, collisions_);
-  } catch (const UnreadableShape& file) {
-    if (file.fuel_uri.empty()) {
-      missing_.add(file.part, file.reason);
-    } else {
-      missing_.add_fuel(file.part, file.reason, file.fuel_uri);
-    }
+  } catch (const UnreadablePart& unreadable) {
+    missing_.add(unreadable);
     return std::nullopt;
   }
 }

@@ -22,7 +22,7 @@ class SdfShapes {
   /// @param what       "path:line:column: visual 'a::b::c'", for messages.
   /// @param collision  Planes are infinite whatever their size, as in physics engines.
   /// @return           Nothing for an unknown shape, which is reported to `log`.
-  /// @throws UnreadableShape for files that are missing or wrong, Error for sizes out of limits.
+  /// @throws UnreadablePart for files that are missing or wrong, Error for sizes out of limits.
   [[nodiscard]] std::optional<PlacedMesh> shape(const sdf::Geometry& geometry, const std::string& what, bool collision);
 
  private:

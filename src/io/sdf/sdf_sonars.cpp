@@ -14,22 +14,12 @@
 
 #include "insonify/printable.h"
 #include "io/file/input_file.h"
-#include "io/file/xml_file.h"
 #include "io/sdf/sdf_file.h"
+#include "io/sdf/sdf_material.h"
 #include "io/sdf/sdf_poses.h"
 
 namespace insonify {
 namespace {
-
-constexpr std::string_view kPrefix = "insonify:";
-
-std::string without_prefix(const std::string& name) {
-  return name.starts_with(kPrefix) ? name.substr(kPrefix.size()) : name;
-}
-
-std::string text_of(const sdf::ElementPtr& element) {
-  return element->GetValue() == nullptr ? "" : without_outer_space(element->GetValue()->GetAsString());
-}
 
 std::string name_of(const sdf::ElementPtr& element) {
   return element->HasAttribute("name") ? element->GetAttribute("name")->GetAsString() : "";
@@ -38,15 +28,9 @@ std::string name_of(const sdf::ElementPtr& element) {
 // The elements of sonars directly in a link or model.
 std::vector<sdf::ElementPtr> sonars_in(const sdf::ElementPtr& carrier) {
   std::vector<sdf::ElementPtr> sonars;
-  for (sdf::ElementPtr child = carrier->GetFirstElement(); child; child = child->GetNextElement()) {
-    if (child->GetName() == "insonify:sonar") {
-      sonars.push_back(child);
-    } else if (child->GetName() == "plugin" && name_of(child) == "insonify") {
-      for (sdf::ElementPtr inner = child->GetFirstElement(); inner; inner = inner->GetNextElement()) {
-        if (without_prefix(inner->GetName()) == "sonar") {
-          sonars.push_back(inner);
-        }
-      }
+  for (const auto& [element, name] : insonify_elements(carrier)) {
+    if (name == "sonar") {
+      sonars.push_back(element);
     }
   }
   return sonars;
@@ -54,12 +38,12 @@ std::vector<sdf::ElementPtr> sonars_in(const sdf::ElementPtr& carrier) {
 
 // "x y z roll pitch yaw", metres and radians.
 Pose pose_in(const sdf::ElementPtr& element, const std::string& where) {
-  std::istringstream words(text_of(element));
+  std::istringstream words(sdf_text(element));
   words.imbue(std::locale::classic());
   double values[6] = {};
   for (double& value : values) {
     if (!(words >> value)) {
-      throw Error(fmt::format("{}: <pose> = '{}' must be 6 numbers", where, printable(text_of(element))));
+      throw Error(fmt::format("{}: <pose> = '{}' must be 6 numbers", where, printable(sdf_text(element))));
     }
   }
   return {Vec3(values[0], values[1], values[2]), orientation_from_rpy(values[3], values[4], values[5])};
@@ -99,13 +83,13 @@ void Reader::add(const sdf::ElementPtr& element, const sdf::ElementPtr& holder, 
                  .place = place(element, holder)};
   const std::string where = fmt::format("{}sonar '{}'", sonar.place.text(), printable(sonar.name));
   for (sdf::ElementPtr child = element->GetFirstElement(); child; child = child->GetNextElement()) {
-    const std::string key = without_prefix(child->GetName());
+    const std::string key = without_sdf_prefix(child->GetName());
     if (key == "pose") {
       sonar.carrier_from_sonar = pose_in(child, where);
     } else if (key == "position" || key == "orientation_deg" || key == "name") {
       throw Error(fmt::format("{}: <{}> is written as {}", where, key, key == "name" ? "an attribute" : "<pose>"));
     } else if (key != "link") {
-      sonar.settings.emplace_back(key, text_of(child));
+      sonar.settings.emplace_back(key, sdf_text(child));
     }
   }
   sonars_.push_back(std::move(sonar));
@@ -135,7 +119,7 @@ void Reader::read(const sdf::Model& model, const std::string& scope, const Pose&
     }
   }
   for (const sdf::ElementPtr& sonar : sonars_in(model.Element())) {
-    const std::string link = sonar->HasElement("link") ? text_of(sonar->GetElement("link")) : "";
+    const std::string link = sonar->HasElement("link") ? sdf_text(sonar->GetElement("link")) : "";
     const auto found = links.find(link);
     if (!link.empty() && found == links.end()) {
       throw Error(fmt::format("{}sonar '{}': <link> = '{}' is not a link of the model {}",

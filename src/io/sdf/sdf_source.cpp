@@ -15,8 +15,7 @@
 #include "io/file/input_file.h"
 #include "io/sdf/sdf_check.h"
 #include "io/sdf/sdf_elements.h"
-#include "io/sdf/sdf_model_file.h"
-#include "io/sdf/sdf_version.h"
+#include "io/sdf/sdf_file.h"
 #include "io/world/sdf_fuel.h"
 #include "io/world/sdf_uri.h"
 
@@ -135,11 +134,8 @@ std::optional<std::string> SdfSource::resolve_include(const std::string& uri, co
   const std::optional<fs::path> found =
       find_sdf_uri(uri, file, [](const fs::path& path) { return sdf_file_of_model(path).has_value(); });
   if (!found) {
-    if (is_fuel_uri(uri)) {
-      missing_.add_fuel(where, " " + sdf_uri_not_found(uri, file), fuel_model_uri(uri));
-    } else {
-      missing_.add(where, " " + sdf_uri_not_found(uri, file));
-    }
+    missing_.add(
+        UnreadablePart(where, " " + sdf_uri_not_found(uri, file), is_fuel_uri(uri) ? fuel_model_uri(uri) : ""));
     return std::nullopt;
   }
   const std::optional<fs::path> model = sdf_file_of_model(*found);

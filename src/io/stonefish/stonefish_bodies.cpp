@@ -55,8 +55,8 @@ StonefishBodies::StonefishBodies(const StonefishSource& source, MissingParts& mi
   for (const StonefishElement& element : source.elements()) {
     try {
       add(element);
-    } catch (const StonefishUnreadable& unreadable) {
-      missing_.add(unreadable.part, unreadable.reason);
+    } catch (const UnreadablePart& unreadable) {
+      missing_.add(unreadable);
     }
   }
 }
@@ -167,8 +167,8 @@ void StonefishBodies::add_sensor(const StonefishElement& sensor, const std::stri
   try {
     const Pose body_from_sensor = stonefish_pose(sensor, pose);
     sensors_.push_back({sensor, owner, world_from_body * body_from_sensor, vehicle_from_body * body_from_sensor});
-  } catch (const StonefishUnreadable& unreadable) {
-    missing_.add(unreadable.part, unreadable.reason);
+  } catch (const UnreadablePart& unreadable) {
+    missing_.add(unreadable);
   }
 }
 

@@ -43,7 +43,7 @@ std::string text_of(const StonefishElement& element, const char* child, const ch
   }
   const std::string_view text = found.value();
   if (const char* reason = reason_unreadable(text)) {
-    throw StonefishUnreadable(fmt::format("{} = '{}'", what_of(element, child, attribute), printable(text)), reason);
+    throw UnreadablePart(fmt::format("{} = '{}'", what_of(element, child, attribute), printable(text)), reason);
   }
   return std::string(text);
 }

@@ -8,6 +8,7 @@
 
 #include "insonify/error.h"
 #include "insonify/geometry.h"
+#include "io/file/missing_parts.h"
 #include "io/file/xml_file.h"
 
 namespace insonify {
@@ -27,19 +28,8 @@ struct StonefishElement {
   [[nodiscard]] std::string what() const;
 };
 
-/// A part of a scenario that cannot be read on this machine: a file that is missing, or a value that only a launch file
-/// knows.
-class StonefishUnreadable : public Error {
- public:
-  /// @param the_part    "pool.scn:3:5: static 'wall': 'wall.obj'"
-  /// @param the_reason  The rest of the message.
-  StonefishUnreadable(const std::string& the_part, const std::string& the_reason)
-      : Error(the_part + the_reason), part(the_part), reason(the_reason) {}
-  std::string part, reason;
-};
-
 // Attributes of an element's child, <dimensions radius="2"/> of a body; of the element itself if `child` is "". Each
-// throws Error if the child or the attribute is missing or malformed, and StonefishUnreadable if its value is a
+// throws Error if the child or the attribute is missing or malformed, and UnreadablePart if its value is a
 // $(param ...), a $(find ...) or a $(arg ...) without a value, or a formula in ${...}.
 
 [[nodiscard]] std::string stonefish_text(const StonefishElement& element, const char* child, const char* attribute);

@@ -80,10 +80,9 @@ std::optional<fs::path> find_stonefish_file(const std::string& name, const fs::p
 }
 
 std::string stonefish_file_not_found(const std::string& name) {
-  return without_tilde(name).is_absolute()
-             ? " does not exist"
-             : " not found in the scenario's folder, those above it, their folders data, Data and resources, or those "
-               "of INSONIFY_MODEL_PATH";
+  return without_tilde(name).is_absolute() ? " does not exist"
+                                           : " not found in the scenario's folder, those above it, their folders data, "
+                                             "Data and resources, or those of INSONIFY_MODEL_PATH";
 }
 
 std::optional<fs::path> find_ros_package(const std::string& name, const fs::path& base) {

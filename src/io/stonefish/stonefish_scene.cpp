@@ -87,8 +87,8 @@ class StonefishSceneBuilder {
       instance.world_from_mesh = up_from_down() * world_from_body * own * shape->body_from_mesh;
       check_reach(instance, element.what());
       scene_.instances.push_back(std::move(instance));
-    } catch (const StonefishUnreadable& unreadable) {
-      missing_.add(unreadable.part, unreadable.reason);
+    } catch (const UnreadablePart& unreadable) {
+      missing_.add(unreadable);
     }
   }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "base/log_line.h"
 #include "insonify/files.h"
@@ -14,10 +15,37 @@
 #include "insonify/printable.h"
 #include "io/mesh/mesh_file.h"
 #include "io/stonefish/stonefish_files.h"
-#include "io/stonefish/stonefish_torus.h"
 
 namespace insonify {
 namespace {
+
+// A torus, which only Stonefish has: centred on the origin, its axis along y.
+// @param major  Radius of the circle in the middle of the tube [m], > 0.
+// @param minor  Radius of the tube [m], > 0.
+Mesh make_torus(double major, double minor) {
+  constexpr double kMaxEdgeAngle = 0.05;  // Between neighbouring normals [rad].
+  const auto steps = static_cast<std::uint32_t>(std::ceil(2 * std::numbers::pi / kMaxEdgeAngle));
+  Mesh mesh;
+  mesh.name = "torus";
+  for (std::uint32_t ring = 0; ring < steps; ++ring) {
+    const double around = 2 * std::numbers::pi * ring / steps;
+    const Vec3 outwards(std::cos(around), 0, std::sin(around));
+    for (std::uint32_t i = 0; i < steps; ++i) {
+      const double angle = 2 * std::numbers::pi * i / steps;
+      const Vec3 normal = std::cos(angle) * outwards + std::sin(angle) * Vec3::UnitY();
+      mesh.vertices.emplace_back((major * outwards + minor * normal).cast<float>());
+      mesh.normals.emplace_back(normal.cast<float>());
+    }
+  }
+  for (std::uint32_t ring = 0; ring < steps; ++ring) {
+    for (std::uint32_t i = 0; i < steps; ++i) {
+      const std::uint32_t here = ring * steps, next = (ring + 1) % steps * steps, j = (i + 1) % steps;
+      mesh.triangles.push_back({here + i, here + j, next + i});
+      mesh.triangles.push_back({here + j, next + j, next + i});
+    }
+  }
+  return mesh;
+}
 
 constexpr double kPlaneSide = 10000;  // [m], that of the square which Stonefish draws.
 
@@ -33,8 +61,8 @@ std::string found_file(const StonefishElement& body, const StonefishElement& ele
   const std::string name = stonefish_text(element, child, "filename");
   const auto path = find_stonefish_file(name, element.path);
   if (!path) {
-    throw StonefishUnreadable(fmt::format("{}: '{}'", body.what(), printable(name, kLongestName)),
-                              stonefish_file_not_found(name));
+    throw UnreadablePart(fmt::format("{}: '{}'", body.what(), printable(name, kLongestName)),
+                         stonefish_file_not_found(name));
   }
   return path->string();
 }
@@ -45,7 +73,7 @@ auto read_for(const StonefishElement& element, Read&& read) {
   try {
     return read();
   } catch (const Error& error) {
-    throw StonefishUnreadable(element.what(), fmt::format(": {}", error.what()));
+    throw UnreadablePart(element.what(), fmt::format(": {}", error.what()));
   }
 }
 

@@ -29,7 +29,7 @@ class StonefishShapes {
   /// @param body       A body, a link or a part of a compound body.
   /// @param physical   Use the mesh of <physical> even if there is one of <visual>.
   /// @return           Nothing for a type without a shape ("empty"), and for an unknown type, which is reported.
-  /// @throws StonefishUnreadable for files that are missing or wrong, Error for sizes out of limits.
+  /// @throws UnreadablePart for files that are missing or wrong, Error for sizes out of limits.
   [[nodiscard]] std::optional<StonefishShape> shape(const StonefishElement& body, bool physical);
 
  private:

@@ -173,8 +173,8 @@ StonefishSonars load_stonefish_sonars(const std::filesystem::path& path, bool on
   for (const StonefishSensor& sensor : bodies.sensors()) {
     try {
       list.add(sensor);
-    } catch (const StonefishUnreadable& unreadable) {
-      missing.add(unreadable.part, unreadable.reason);
+    } catch (const UnreadablePart& unreadable) {
+      missing.add(unreadable);
     }
   }
   return {list.take(), missing.empty() ? "" : missing.text()};

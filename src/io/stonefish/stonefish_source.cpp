@@ -125,8 +125,8 @@ void StonefishSource::include(const StonefishElement& element) {
       return;
     }
     file = open_scenario(found->string());
-  } catch (const StonefishUnreadable& unreadable) {
-    missing_.add(unreadable.part, unreadable.reason);
+  } catch (const UnreadablePart& unreadable) {
+    missing_.add(unreadable);
     return;
   } catch (const Error& error) {
     missing_.add(part, fmt::format(": {}", error.what()));

@@ -62,7 +62,7 @@ auto read_for(const std::string& what, Read&& read) {
   try {
     return read();
   } catch (const Error& error) {
-    throw UnreadableShape(what, fmt::format(": {}", error.what()));
+    throw UnreadablePart(what, fmt::format(": {}", error.what()));
   }
 }
 
@@ -70,9 +70,8 @@ std::string file_of(const std::string& uri, const fs::path& base, const std::str
   const std::optional<fs::path> found =
       find_sdf_uri(uri, base, [](const fs::path& path) { return !fs::is_directory(path); });
   if (!found) {
-    throw UnreadableShape(
-        fmt::format("{}: '{}'", what, printable(uri, is_fuel_uri(uri) ? kLongestName : kLongestQuote)),
-        " " + sdf_uri_not_found(uri, base), is_fuel_uri(uri) ? fuel_model_uri(uri) : "");
+    throw UnreadablePart(fmt::format("{}: '{}'", what, printable(uri, is_fuel_uri(uri) ? kLongestName : kLongestQuote)),
+                         " " + sdf_uri_not_found(uri, base), is_fuel_uri(uri) ? fuel_model_uri(uri) : "");
   }
   return found->string();
 }

@@ -8,11 +8,11 @@
 #include <memory>
 #include <string>
 
-#include "insonify/error.h"
 #include "insonify/geometry.h"
 #include "insonify/log.h"
 #include "insonify/mesh.h"
 #include "insonify/world_parts.h"
+#include "io/file/missing_parts.h"
 
 namespace insonify {
 
@@ -25,17 +25,6 @@ struct PlacedMesh {
   Vec3 offset = Vec3::Zero();  ///< [m]
 };
 
-/// A file of a shape that is missing or cannot be read.
-class UnreadableShape : public Error {
- public:
-  /// @param the_part    "path:line:column: visual 'a::b': 'x.dae'"
-  /// @param the_reason  The rest of the message.
-  /// @param model_uri   URI of the Fuel model to download; "" for other files.
-  UnreadableShape(const std::string& the_part, const std::string& the_reason, const std::string& model_uri = "")
-      : Error(the_part + the_reason), part(the_part), reason(the_reason), fuel_uri(model_uri) {}
-  std::string part, reason, fuel_uri;
-};
-
 /// Makes each shape once: equal shapes share a mesh.
 class ShapeMaker {
  public:
@@ -44,7 +33,7 @@ class ShapeMaker {
 
   /// @param base  The file that URIs are relative to.
   /// @param what  "path:line:column: visual 'a::b::c'", for messages, which name the elements of SDF.
-  /// @throws UnreadableShape for files that are missing or wrong, Error for sizes out of limits.
+  /// @throws UnreadablePart for files that are missing or wrong, Error for sizes out of limits.
   [[nodiscard]] PlacedMesh make(const Shape& shape, const std::filesystem::path& base, const std::string& what);
 
  private:

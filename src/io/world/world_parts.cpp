@@ -55,12 +55,8 @@ void WorldParts::State::add(const WorldPart& part, MissingParts& missing, Scene&
                       .moving = part.moving};
     check_reach(instance, what);
     scene.instances.push_back(std::move(instance));
-  } catch (const UnreadableShape& file) {
-    if (file.fuel_uri.empty()) {
-      missing.add(file.part, file.reason);
-    } else {
-      missing.add_fuel(file.part, file.reason, file.fuel_uri);
-    }
+  } catch (const UnreadablePart& unreadable) {
+    missing.add(unreadable);
   } catch (const Error& error) {
     missing.add(error.what(), "");
   }
@@ -94,8 +90,7 @@ Scene WorldParts::scene(std::span<const WorldPart> parts, const std::string& nam
   missing.report(name, state.options.strict, state.log);
   if (!for_eyes.empty()) {
     log_line(state.log, Severity::kWarning,
-             fmt::format("{}: what is water or invisible to cameras echoes as a solid surface (ignore removes it): "
-                         "{}",
+             fmt::format("{}: what is water or invisible to cameras echoes as a solid surface (ignore removes it): {}",
                          name, fmt::join(for_eyes, ", ")));
   }
   return scene;

@@ -235,7 +235,7 @@ TEST_F(DdsBridgeTest, SettingsActAndAreAnswered) {
   ASSERT_TRUE(answers->wait_for_writer());
   std::this_thread::sleep_for(kDiscovery);
   const auto ask = [&](std::string_view text, std::size_t count) {
-    CdrWriter cdr;
+    RosWriter cdr;
     cdr.put(text);
     set->write(cdr.take());
     EXPECT_TRUE(answers->wait_for(count));

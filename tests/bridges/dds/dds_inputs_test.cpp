@@ -25,7 +25,7 @@ constexpr const char* kTransformsType = "tf2_msgs::msg::dds_::TFMessage_";
 
 // tf2_msgs/msg/TFMessage with one transform.
 Bytes transform(const std::string& parent, const std::string& child, const Pose& pose) {
-  CdrWriter cdr;
+  RosWriter cdr;
   cdr.put_length(1);
   put_time(cdr, 5.5);
   cdr.put(std::string_view(parent));

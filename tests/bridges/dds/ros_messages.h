@@ -12,18 +12,18 @@
 
 #include "bridges/dds/fast_node.h"
 #include "io/message/cdr_reader.h"
-#include "io/message/cdr_writer.h"
+#include "io/message/ros_writer.h"
 
 namespace insonify {
 
-inline void put_time(CdrWriter& cdr, double time) {
+inline void put_time(RosWriter& cdr, double time) {
   cdr.put(static_cast<std::int32_t>(time));
   cdr.put(static_cast<std::uint32_t>((time - std::floor(time)) * 1e9));
 }
 
 /// rosgraph_msgs/msg/Clock.
 inline Bytes clock_message(double time) {
-  CdrWriter cdr;
+  RosWriter cdr;
   put_time(cdr, time);
   return cdr.take();
 }
@@ -32,7 +32,7 @@ inline Bytes clock_message(double time) {
 /// @param yaw    Heading, from x to y [rad].
 /// @param speed  Along the vehicle's own x axis [m/s].
 inline Bytes odometry(double time, double x, double y, double yaw = 0, double speed = 0) {
-  CdrWriter cdr;
+  RosWriter cdr;
   put_time(cdr, time);
   cdr.put(std::string_view("world"));
   cdr.put(std::string_view("base_link"));

@@ -3,9 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/message/cdr_writer.h"
-#include "io/message/definitions.h"
+#include "io/message/message_channels.h"
 #include "io/message/ros_name.h"
+#include "io/message/ros_writer.h"
 
 namespace insonify::message_parts_test {
 namespace {
@@ -20,8 +20,8 @@ std::vector<int> plain(const std::vector<std::byte>& bytes) {
   return numbers;
 }
 
-TEST(CdrWriterTest, AlignsNumbersFromTheEndOfItsHeader) {
-  CdrWriter out;
+TEST(RosWriterTest, AlignsNumbersFromTheEndOfItsHeader) {
+  RosWriter out;
   out.put(std::string_view("ab"));  // Length 3 with its zero: ends at 7.
   out.put(std::uint16_t{0x0201});   // At 8.
   out.put(1.0);                     // At 16.
@@ -30,8 +30,8 @@ TEST(CdrWriterTest, AlignsNumbersFromTheEndOfItsHeader) {
                                              0, 0, 0xf0, 0x3f, 1));
 }
 
-TEST(CdrWriterTest, AlignsNoElementsOfAnEmptySequence) {
-  CdrWriter out;
+TEST(RosWriterTest, AlignsNoElementsOfAnEmptySequence) {
+  RosWriter out;
   out.put(std::span<const double>());
   out.put(std::uint8_t{9});
   EXPECT_THAT(plain(out.take()), ElementsAre(0, 1, 0, 0, 0, 0, 0, 0, 9));

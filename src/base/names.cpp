@@ -1,6 +1,6 @@
-// nearest_name.cpp -- finds the name with the least edit distance from a mistyped one.
+// names.cpp -- spellings of a name that mean the same, and the least edit distance from a mistyped one.
 
-#include "base/nearest_name.h"
+#include "base/names.h"
 
 #include <algorithm>
 #include <cctype>
@@ -36,6 +36,15 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 }  // namespace
+
+std::string canonical_name(std::string_view name) {
+  std::string canonical(name);
+  for (char& letter : canonical) {
+    const bool gap = letter == '-' || letter == ' ';
+    letter = gap ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  }
+  return canonical;
+}
 
 std::string nearest_name(std::string_view name, std::span<const std::string> candidates) {
   // At most 2 slips, or a third of the letters of a long name; fewer than half of the letters of a short one.

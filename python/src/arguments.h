@@ -1,4 +1,4 @@
-// plain_values.h -- converts nested dicts and lists of Python to JSON values.
+// arguments.h -- arguments from Python: alternative keywords, unknown ones, and nested dicts and lists.
 
 #pragma once
 
@@ -7,6 +7,16 @@
 #include <string>
 
 namespace insonify::python {
+
+namespace py = pybind11;
+
+/// The colour map given by either spelling; both None: inferno.
+/// @throws Error if both are given.
+[[nodiscard]] std::string colour_map_name(const py::object& colour_map, const py::object& color_map);
+
+/// Refuses unknown keywords with the names of the known ones: pybind11 would list types.
+/// @throws TypeError that names the first of them.
+void refuse_others(const char* function, const py::kwargs& others, const char* taken);
 
 namespace py = pybind11;
 

@@ -1,6 +1,6 @@
-// plain_values.cpp -- copies nested dicts and lists, with the name of each value for messages.
+// arguments.cpp -- checks keywords, and copies nested dicts and lists, with the name of each value for messages.
 
-#include "plain_values.h"
+#include "arguments.h"
 
 #include <fmt/format.h>
 
@@ -52,6 +52,24 @@ bool is_scalar(py::handle value) {
 }
 
 }  // namespace
+
+std::string colour_map_name(const py::object& colour_map, const py::object& color_map) {
+  if (!colour_map.is_none() && !color_map.is_none()) {
+    throw Error("", "colour_map", " is given twice: color_map is the same");
+  }
+  std::string name = "inferno";
+  if (!colour_map.is_none() || !color_map.is_none()) {
+    const bool british = !colour_map.is_none();
+    from_python(british ? colour_map : color_map, british ? "colour_map" : "color_map", 1, name);
+  }
+  return name;
+}
+
+void refuse_others(const char* function, const py::kwargs& others, const char* taken) {
+  for (const std::pair<py::handle, py::handle> item : others) {
+    throw py::type_error(fmt::format("{}() has no argument {}; it takes {}", function, shown(item.first), taken));
+  }
+}
 
 py::object plain_value(py::handle value, const std::string& name) {
   constexpr const char* kExpected = "a number, a text, True, False, None, a list or a dict";

@@ -1,12 +1,16 @@
-// nearest_name.h -- suggests the known name that is most similar to a mistyped one.
+// names.h -- compares names, suggests the known one that is most similar to a mistyped one, and hashes them.
 
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
 
 namespace insonify {
+
+/// The name in lower case, with '_' for each '-' and ' '. Two names mean the same if their canonical names are equal.
+[[nodiscard]] std::string canonical_name(std::string_view name);
 
 /// The candidate with the least edit distance from `name`: the number of insertions, deletions, replacements and swaps
 /// of neighbouring letters, case ignored. The first one of equals. "" if the distance is greater than two, or for long
@@ -15,5 +19,14 @@ namespace insonify {
 
 /// nearest_name() as the end of a message: "; did you mean max_range?", or "".
 [[nodiscard]] std::string suggestion(std::string_view name, std::span<const std::string> candidates);
+
+/// FNV-1a, 32 bits.
+constexpr std::uint32_t name_hash(std::string_view name) {
+  std::uint32_t hash = 2166136261U;
+  for (const char letter : name) {
+    hash = (hash ^ static_cast<unsigned char>(letter)) * 16777619U;
+  }
+  return hash;
+}
 
 }  // namespace insonify

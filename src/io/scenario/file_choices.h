@@ -1,0 +1,35 @@
+// file_choices.h -- keys of scenario files that stand for others: the preset of a sonar, the file of a trajectory.
+
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "insonify/settings_table.h"
+
+namespace insonify {
+
+/// The preset that a sonar's entry starts from: a SonarConfig has its numbers.
+struct PresetChoice {
+  std::string preset = {}, mode = {};
+
+  template <typename Self, typename Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit(Field{"preset", "", {}, "Instrument to start from: `insonify sonars` lists them."}, self.preset);
+    visit(Field{"mode", "", {}, "Mode of the preset; its own default when absent."}, self.mode);
+  }
+};
+
+/// A trajectory in a file of its own: a Trajectory has its waypoints.
+struct TrackChoice {
+  std::filesystem::path file = {};
+  double start = 0;
+
+  template <typename Self, typename Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit(Field{"file", "", {}, "Waypoints: CSV (.csv) or TUM (.tum, .txt), from the scenario's folder."}, self.file);
+    visit(Field{"start", "s", from_to(-1e10, 1e10), "Time of the file that is 0 s of the scenario."}, self.start);
+  }
+};
+
+}  // namespace insonify
