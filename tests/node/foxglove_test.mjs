@@ -155,12 +155,14 @@ try {
   await until("the pause", () => state.paused);
   const of = (topic) => (topic === "/tf" ? 2 : 1);
   const complete = (counts) => [...counts].every(([topic, count]) => count >= of(topic));
+  const sockets = [viewer];
   const subscribed = async () => {
     const first = await counting(address);
     await until("every topic, while paused", () => complete(first.counts));
     const second = await counting(address);
     await until("every topic for another client", () => complete(second.counts));
     await new Promise((resolve) => setTimeout(resolve, 300));
+    sockets.push(first.socket, second.socket);
     for (const {counts} of [first, second]) {
       assert.deepEqual(Object.fromEntries(counts), Object.fromEntries([...counts.keys()].map((topic) => [topic, of(topic)])));
     }
@@ -173,7 +175,7 @@ try {
   assert.equal(first.counts.get("/scenario"), 1);
   viewer.send(JSON.stringify({op: "set", settings: ["water.salinity=20"]}));
   await until("the scenario after a change", () => first.counts.get("/scenario") === 2);
-  for (const {socket} of [first, second, {socket: viewer}]) {
+  for (const socket of sockets) {
     socket.close();
   }
 

@@ -46,7 +46,8 @@ int run_bridge(std::string_view name, int argc, char** argv,
 BridgeRequest parsed_bridge(const BridgeKind& kind, std::vector<std::string> words, const OptionValues& more) {
   BridgeParser first(kind);
   (void)first.parse(words);
-  for (const OptionWords& option : first.line.words().front().options) {
+  const CommandWords known = first.line.words().front();
+  for (const OptionWords& option : known.options) {
     const std::string& name = option.long_names.front();
     if (name == "help" || first.line.given("--" + name)) {
       continue;
