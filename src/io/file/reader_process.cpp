@@ -210,8 +210,8 @@ void ReaderProcess::start(const StrangersFile& file) {
   owner_ = getpid();
 }
 
-// It has nothing to tidy up, and would not see the end of a socket that a fork of this process has too. Such a fork only
-// closes its copies of the files.
+// It has nothing to tidy up, and would not see the end of a socket that a fork of this process has too. Such a fork
+// only closes its copies of the files.
 void ReaderProcess::stop() {
   for (int* file : {&socket_, &memory_}) {
     if (*file >= 0) {
