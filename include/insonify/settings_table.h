@@ -23,7 +23,7 @@ namespace insonify {
 /// The words of an enumeration, and how a member holds one of them.
 struct WordList {
   std::vector<std::string_view> words;
-  std::size_t (*get)(const void* member);  ///< Index of its word.
+  std::size_t (*get)(const void* member);  ///< Index of its word; the number of words for a value without one.
   void (*set)(void* member, std::size_t index);
 };
 
@@ -32,7 +32,7 @@ struct EnumWord {
   const WordList* list;
   std::size_t index;
 
-  [[nodiscard]] std::string_view text() const { return list->words[index]; }
+  [[nodiscard]] std::string_view text() const { return index < list->words.size() ? list->words[index] : ""; }
   [[nodiscard]] bool operator==(const EnumWord&) const = default;
 };
 
@@ -45,7 +45,7 @@ using MemberType =
 struct FieldEntry : Field {
   MemberType type;
   std::size_t offset;               ///< In the struct [bytes].
-  const WordList* words = nullptr;  ///< Of an enumeration.
+  const WordList* words = nullptr;  ///< The words of an enumeration; null for other types.
 
   [[nodiscard]] const void* in(const void* config) const { return static_cast<const std::byte*>(config) + offset; }
   [[nodiscard]] void* in(void* config) const { return static_cast<std::byte*>(config) + offset; }
@@ -124,7 +124,7 @@ enum class PartShape { kStruct, kOptional, kList, kMap };
 /// One part of a configuration: a struct, an optional one, a list or a map of structs.
 struct PartEntry : Part {
   PartShape shape;
-  const SettingsTable* table;  ///< Of each of its structs.
+  const SettingsTable* table;  ///< The table of each of its structs.
   std::size_t offset;          ///< In the configuration [bytes].
 
   /// One of its structs; `suffix` follows the name of the part: "", "[0]", ".hull".
@@ -187,8 +187,9 @@ const WordList* word_list() {
     WordList made{
         {},
         [](const void* member) {
+          const std::string_view word = word_of(*static_cast<const Enum*>(member));
           std::size_t index = 0;
-          while (words_of<Enum>()[index].second != *static_cast<const Enum*>(member)) {
+          while (index < words_of<Enum>().size() && words_of<Enum>()[index].first != word) {
             ++index;
           }
           return index;

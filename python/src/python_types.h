@@ -42,7 +42,7 @@ PythonType field_type() {
   } else if constexpr (std::is_same_v<Member, std::vector<std::string>>) {
     return {"tuple[str, ...]", "Sequence[str]"};
   } else {
-    const PythonType inner = field_type<typename Member::value_type>();  // Of an optional.
+    const PythonType inner = field_type<typename Member::value_type>();  // The type that an optional holds.
     return {inner.read + " | None", inner.given + " | None"};
   }
 }
@@ -72,7 +72,7 @@ inline std::string part_type(const PartEntry& part) {
       return name + " | None";
     case PartShape::kList:
       return "list[" + name + "]";
-    case PartShape::kMap:  // Of materials, of which "steel" is one too.
+    case PartShape::kMap:  // Materials by name; the name of one of the library stands for it.
       return "dict[str, " + name + " | str]";
     default:
       return name;

@@ -74,7 +74,7 @@ struct CalibratedReceiver::SetUp {
   std::vector<double> beam_sines;
   std::optional<ArrayPattern> perfect;  // Array without faults, one way: receives isotropic noise.
   std::optional<ArrayPattern> hearing;  // Array with its faults, one way: receives sound from one direction.
-  double length = 0;                    // Of the array [wavelengths].
+  double length = 0;                    // Length of the array [wavelengths].
 };
 
 CalibratedReceiver::CalibratedReceiver(const Settings& settings)

@@ -42,6 +42,8 @@ TEST(BearingGridTest, GroupsOfSlicesHaveAGapBetween) {
   SonarConfig sonar;
   sonar.set_bearings(grid);
   EXPECT_EQ(sonar.bearings().edges(), grid.edges());
+  EXPECT_EQ(sonar.beam_count, 4);
+  EXPECT_EQ(sonar.azimuth_aperture, 12) << "gaps included";
 }
 
 TEST(BearingGridTest, SlicesWithAGapHaveTheirOwnEdges) {

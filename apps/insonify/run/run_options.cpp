@@ -111,7 +111,7 @@ RunOptions finished(const Command& command, RunLine line) {
 RecordKinds record_kinds(const std::string& text) {
   RecordKinds kinds;
   for (const RecordingFormat& format : recording_formats()) {
-    if (text.find(format.name) != std::string::npos) {
+    if (fmt::format(",{},", text).find(fmt::format(",{},", format.name)) != std::string::npos) {
       kinds.push_back(&format);
     }
   }

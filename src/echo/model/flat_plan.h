@@ -53,7 +53,7 @@ struct FlatPlanSettings {
 
 /// The numbers of a FlatPlan.
 struct PlanNumbers {
-  int beam_count = 0, bin_count = 0;                    ///< Of the EchoGrid: slices of bearing, and range bins.
+  int beam_count = 0, bin_count = 0;                    ///< Size of the EchoGrid: slices of bearing x range bins.
   double frequency = 0;                                 ///< [Hz]
   double source_level_db = 0;                           ///< [dB re 1 uPa at 1 m]
   double elevation_center = 0, elevation_aperture = 0;  ///< [rad]
@@ -81,7 +81,7 @@ struct PlanNumbers {
 
   float beams_per_radian = 0;       ///< On average.
   float tan_low = 0, tan_high = 0;  ///< Tangents of the lowest and highest elevation that are sent to and received.
-  PatternAxis sent_axis = {}, received_axis = {};  ///< Of the tables of gain across elevations.
+  PatternAxis sent_axis = {}, received_axis = {};  ///< Elevations of the tables of gain, one way each.
 };
 static_assert(std::is_trivially_copyable_v<PlanNumbers>);
 

@@ -65,7 +65,7 @@ class TriangleScene {
   // A ball around an instance.
   struct Ball {
     Vec3 middle = Vec3::Zero();
-    double square = 0;  // Of its radius [m^2].
+    double square = 0;  // Square of its radius [m^2].
   };
   void place(int instance, const Pose& world_from_mesh);
   template <typename Visit>

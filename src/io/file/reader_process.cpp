@@ -37,7 +37,7 @@ constexpr const char* kLimitsSetting = "INSONIFY_READER_LIMITS";
 constexpr std::string_view kInProcess = "in-process";
 
 constexpr double kMostMemory = 16;         // Or half of the machine's memory, if that is less [1e9 bytes].
-constexpr double kSeconds = 60;            // Of processor time, and
+constexpr double kSeconds = 60;            // Processor time [s], and
 constexpr double kSecondsAGigabyte = 100;  // for each gigabyte of the file.
 constexpr double kPatience = 10;           // How many times as long may pass: disks are slow.
 

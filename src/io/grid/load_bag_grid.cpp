@@ -121,7 +121,7 @@ void read_reference_system(pugi::xml_node xml, BagMetadata& metadata) {
   }
 }
 
-// Of any BAG version: namespaces, which differ between versions, are ignored.
+// Any version of BAG: namespaces, which differ between versions, are ignored.
 BagMetadata parse_bag_metadata(const std::string& xml) {
   // XML that is not well-formed is used up to its fault. The caller reports elements that are missing.
   pugi::xml_document text;
