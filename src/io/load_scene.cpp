@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "base/utf8.h"
 #include "insonify/error.h"
 #include "insonify/files.h"
 #include "insonify/printable.h"
@@ -19,7 +20,7 @@ namespace {
 
 Scene scene_of(const std::filesystem::path& path, Mesh mesh) {
   Instance instance;
-  instance.name = path.stem().string();
+  instance.name = as_utf8(path.stem().string());
   instance.mesh = std::make_shared<const Mesh>(std::move(mesh));
   check_reach(instance, path.string());
   Scene scene;

@@ -7,7 +7,6 @@
 #include "io/file/reader_process.h"
 #include "io/mesh_texts.h"
 #include "support/message_of.h"
-#include "support/sanitized.h"
 
 namespace insonify::mesh_error_test {
 namespace {
@@ -37,12 +36,14 @@ TEST(LoadMeshErrorTest, TellsThePathAndTheReason) {
       {"a.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nend_hea",
        ": its header does not end: no line says end_header"},
       {"a.ply", "plyx\nformat ascii 1.0\n", ": its header does not end: no line says end_header"},
-      {"a.ply", "plumb", ": cannot be read: Invalid .ply file: Incorrect magic number (expected 'ply' or 'PLY')"},
+      {"a.ply", "plumb", ": is no PLY: it does not begin with \"ply\""},
       {"a.dae", "<COLLADA><asset>", ":1:16: not valid XML: an element is not closed, or closed twice"},
       {"a.dae", dae_text({.positions = "0 0 0 2 0 0"}),
        ": cannot be read: Invalid data index (2/2) in primitive specification"},
-      {"a.gltf", "{\"asset\":", ": cannot be read: what it holds is not gltf"},
-      {"a.glb", "glTF", ": cannot be read: what it holds is not glb"},
+      {"a.gltf", "{\"asset\":\n 2 }}", ":2:5: not valid JSON"},
+      {"a.gltf", "{\"asset\":{}}", ": cannot be read: what it holds is not gltf"},
+      {"a.glb", "glTF", ": what it holds is not GLB"},
+      {"a.glb", glb_text() + "more", ": its header says that it has 640 bytes, not 644"},
       {"a.gltf", gltf_text("gone.bin"), ": cannot be read: GLTF: could not open referenced file \"gone.bin\""},
   };
   for (const BadFile& file : files) {
@@ -98,10 +99,7 @@ std::string repeated(const std::string& text, int count) {
 }
 
 // Nesting on which a recursive parser overflows its stack.
-TEST(LoadMeshErrorTest, WhatIsNestedTooDeeplyEndsOnlyItsReader) {
-  if (kSanitized) {
-    GTEST_SKIP() << "A sanitizer ends the reader by an exit status, and has no limit of memory";
-  }
+TEST(LoadMeshErrorTest, WhatIsNestedTooDeeplyIsRefused) {
   constexpr int kLevels = 200'000;
   const std::string lists = "{\"extras\":\n" + repeated("[", kLevels) + repeated("]", kLevels) + "}";
   std::string chain = R"({"nodes":[{"children":[1]})";
@@ -117,11 +115,11 @@ TEST(LoadMeshErrorTest, WhatIsNestedTooDeeplyEndsOnlyItsReader) {
     return "<COLLADA>\n<library_nodes>" + nodes + "</library_nodes></COLLADA>";
   };
   const std::vector<BadFile> files{
-      {"a.gltf", lists, ": the reader of GLTF files crashed (SIGSEGV)"},
+      {"a.gltf", lists, ": cannot be read: what it holds is not gltf"},
       {"a.gltf", chain, ": cannot be read: what it holds is not gltf"},
       {"a.gltf", R"({"nodes":[{"children":[1]},{"children":[0]}]})", ": cannot be read: what it holds is not gltf"},
-      {"a.glb", glb(lists), ": the reader of GLB files crashed (SIGSEGV)"},
-      {"a.glb", glb(chain), ": cannot be read: GLTF: No scene"},
+      {"a.glb", glb(lists), ": cannot be read: what it holds is not glb"},
+      {"a.glb", glb(chain), ": cannot be read: what it holds is not glb"},
       // COLLADA, library_nodes and 198 of them; <node> has six letters.
       {"a.dae", dae(repeated("<node>", kLevels) + repeated("</node>", kLevels)),
        fmt::format(":2:{}: <node> is nested too deeply: more than 200 elements are open", 16 + 198 * 6)},
@@ -164,16 +162,13 @@ TEST(LoadMeshErrorTest, CountsThatTheFileCannotHoldAreTold) {
       {"a.ply", ply(3, 4'000'000'000, "ascii") + body, ":7: element face 4000000000: the file ends after 1"},
       {"a.ply", ply(2, 4'000'000'000, binary) + body, ":7: element face 4000000000: the file ends after 0"},
       {"a.ply", "ply\n\nformat ascii 1.0\nelement vertex 3\nproperty float x\nend_header",
-       ":4: element vertex 3: the file ends after 0"},
+       ":4: element vertex 3 has no properties x, y and z"},
       {"a.ply", "ply\nformat ascii 1.0\nelement vertex 4000000000\nend_header\n",
        ":3: element vertex 4000000000 has no properties"},
       {"a.ply", odd, ":3: \"-3\" is not a number of elements"},
       {"a.stl", many,
        ": is no STL: a text would begin with \"solid\"; binary, with a triangle count of 4000000000, would take "
        "200000000084 bytes, not 134"},
-      {"a.stl", triangle + "more",
-       ": is no STL: a text would begin with \"solid\"; binary, with a triangle count of 1, would take 134 bytes, not "
-       "138"},
       {"a.stl", "short",
        ": is no STL: a text would begin with \"solid\"; binary, with a triangle count of 0, would take 84 bytes, not "
        "5"},

@@ -16,6 +16,7 @@ inline constexpr int kDeepestXml = 200;
 
 class XmlFile {
  public:
+  /// @param text   In UTF-8, see xml_in_utf8().
   /// @param shown  The file name in messages.
   /// @throws Error "path:line:column: ..." for a text that is not well-formed, has no element or more than one at its
   /// root, or is nested deeper than kDeepestXml.
@@ -39,6 +40,10 @@ class XmlFile {
   std::vector<std::size_t> line_starts_;  // Offsets into the text.
   pugi::xml_document document_;
 };
+
+/// The text of an XML file in UTF-8: converted from UTF-16 or the encoding that it declares, without its declaration's
+/// encoding. Bytes that are not text in that encoding become escapes: "t\xe9".
+[[nodiscard]] std::string xml_in_utf8(std::string text);
 
 [[nodiscard]] std::string without_outer_space(std::string_view text);
 

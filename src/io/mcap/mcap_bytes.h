@@ -12,6 +12,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "base/utf8.h"
+
 namespace insonify {
 
 /// The first byte of a record (mcap.dev/spec).
@@ -51,7 +53,7 @@ class McapBytes {
     const std::size_t begin = begin_sized();
     for (const auto& [key, value] : texts) {
       put(std::string_view(key));
-      put(std::string_view(value));
+      put(std::string_view(as_utf8(value)));
     }
     end_sized(begin);
   }

@@ -14,10 +14,12 @@
 #include <set>
 #include <span>
 
+#include "base/utf8.h"
 #include "insonify/error.h"
 #include "insonify/printable.h"
 #include "io/file/input_file.h"
 #include "io/mesh/import_scene.h"
+#include "io/mesh/ply_file.h"
 #include "io/mesh/relief_file.h"
 #include "io/mesh/triangulate.h"
 
@@ -80,7 +82,7 @@ std::string material_name_of(const aiScene& scene, const aiMesh& mesh) {
       std::string_view(name.C_Str()) == AI_DEFAULT_MATERIAL_NAME) {
     return "";
   }
-  return name.C_Str();
+  return as_utf8(name.C_Str());
 }
 
 std::array<Eigen::Vector2f, 3> no_texture_coordinates() {
@@ -90,7 +92,11 @@ std::array<Eigen::Vector2f, 3> no_texture_coordinates() {
 // Appends parts to one mesh.
 class Flattener {
  public:
-  Flattener(const aiScene& scene, const FlattenSettings& settings) : scene_(scene), settings_(settings) {
+  Flattener(ImportedScene imported, const FlattenSettings& settings)
+      : scene_(imported.scene),
+        lost_(std::move(imported.lost)),
+        settings_(settings),
+        notes_(std::move(imported.notes)) {
     mesh_.material_names.clear();
   }
 
@@ -113,6 +119,11 @@ class Flattener {
     add_vertices(*part.mesh, part.mesh_from_part);
     // A mirroring transform reverses the winding; swapping two corners restores it.
     add_triangles(*part.mesh, first, part.mesh_from_part.linear().determinant() < 0);
+    // Triangles that assimp has left out are there again, with corners that do not exist: clean_mesh counts them.
+    if (const auto lost = lost_.find(part.mesh); lost != lost_.end()) {
+      constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+      mesh_.triangles.resize(mesh_.triangles.size() + lost->second, {kNone, kNone, kNone});
+    }
     add_slot(slot_of(material_name_of(scene_, *part.mesh)));
     add_relief(*part.mesh);
   }
@@ -234,6 +245,7 @@ class Flattener {
   }
 
   const aiScene& scene_;
+  std::map<const aiMesh*, std::size_t> lost_;
   const FlattenSettings& settings_;
   Mesh mesh_;
   std::map<std::string, std::uint16_t> slots_;  // By material name.
@@ -249,8 +261,15 @@ class Flattener {
 
 FlattenedScene read_mesh(const std::filesystem::path& path, const std::string& submesh) {
   const std::string ending = ending_of(path);
+  if (ending == ".ply") {
+    if (!submesh.empty()) {
+      throw Error(fmt::format("{}: no submesh \"{}\"; PLY files have no parts", path.string(), printable(submesh)));
+    }
+    return read_ply(path);
+  }
   Assimp::Importer importer;
-  const aiScene& scene = import_scene(importer, path);
+  ImportedScene imported = import_scene(importer, path);
+  const aiScene& scene = imported.scene;
   // STL stores one normal per triangle, also for surfaces that were smooth.
   const FlattenSettings settings{.path = path, .submesh = submesh, .keep_normals = ending != ".stl"};
   Eigen::Affine3d mesh_from_file = Eigen::Affine3d::Identity();
@@ -263,7 +282,7 @@ FlattenedScene read_mesh(const std::filesystem::path& path, const std::string& s
     choose_parts(parts, settings);
   }
 
-  Flattener flattener(scene, settings);
+  Flattener flattener(std::move(imported), settings);
   flattener.reserve(parts);
   for (const PlacedMesh& part : parts) {
     flattener.add(part);

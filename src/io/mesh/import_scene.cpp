@@ -8,64 +8,85 @@
 #include <assimp/config.h>
 #include <fmt/format.h>
 
-#include <array>
-#include <fstream>
 #include <new>
 #include <set>
-#include <string>
 
 #include "insonify/error.h"
 #include "io/file/input_file.h"
+#include "io/mesh/mend_gltf.h"
 #include "io/mesh/mesh_checks.h"
 
 namespace insonify {
 namespace {
 
-bool has_byte_order_mark(const std::filesystem::path& path) {
-  std::array<char, kByteOrderMark.size()> start{};
-  std::ifstream(path, std::ios::binary).read(start.data(), start.size());
-  return std::string_view(start.data(), start.size()) == kByteOrderMark;
-}
+// Files by the names under which assimp opens them, in whatever folder. The mesh file itself has its whole path.
+using FilesInMemory = std::map<std::string, std::string>;
 
-// Gives assimp a text in memory when it opens the mesh file. Other files, such as buffers and material libraries, are
-// opened as usual.
-class TextForFile : public Assimp::DefaultIOSystem {
+// Opens files in memory; others, such as buffers and material libraries, as usual.
+class MemoryFirst : public Assimp::DefaultIOSystem {
  public:
-  TextForFile(std::string path, std::string_view text) : path_(std::move(path)), text_(text) {}
+  explicit MemoryFirst(const FilesInMemory& files) : files_(files) {}
+
+  bool Exists(const char* file) const override { return find(file) != nullptr || DefaultIOSystem::Exists(file); }
 
   Assimp::IOStream* Open(const char* file, const char* mode) override {
-    if (path_ == file) {
-      return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(text_.data()), text_.size());
+    if (const std::string* text = find(file)) {
+      return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(text->data()), text->size());
     }
     return DefaultIOSystem::Open(file, mode);
   }
 
  private:
-  std::string path_;
-  std::string_view text_;
+  [[nodiscard]] const std::string* find(const std::string& file) const {
+    auto found = files_.find(file);
+    found = found == files_.end() ? files_.find(std::filesystem::path(file).filename().string()) : found;
+    return found == files_.end() ? nullptr : &found->second;
+  }
+
+  const FilesInMemory& files_;
 };
 
-// Checks the file. Returns the text to read instead of it, or "" if assimp can read the file itself.
-std::string check_and_mend(const std::filesystem::path& path, const std::string& ending) {
-  const bool has_mark = has_byte_order_mark(path);
-  if (ending == ".stl") {
-    check_stl(path);
-  } else if (ending == ".ply") {
-    check_ply(path);
+// What assimp is given in place of a file.
+struct MendedFile {
+  std::string name;  // Under which it is in `files`, with the format's ending.
+  FilesInMemory files;
+  std::vector<std::size_t> triangles;  // By mesh; empty if they are not known.
+  std::vector<std::string> notes;
+};
+
+// Checks and corrects the file. `files` stays empty if assimp can read the file itself.
+MendedFile check_and_mend(const std::filesystem::path& path, const std::string& ending) {
+  MendedFile mended{path.string(), {}, {}, {}};
+  if (ending == ".gltf" || ending == ".glb") {
+    MendedGltf gltf = mend_gltf(path);
+    if (!gltf.json.empty()) {
+      mended.name = path.string() + (ending == ".glb" ? ".gltf" : "");
+      mended.files = std::move(gltf.buffers);
+      mended.files[mended.name] = std::move(gltf.json);
+      mended.triangles = std::move(gltf.triangles);
+    }
+    return mended;
   }
-  const bool is_checked_as_text = ending == ".obj" || ending == ".dae";
-  if (!is_checked_as_text && (!has_mark || ending == ".stl")) {  // assimp skips the mark of an STL itself.
-    return "";
-  }
-  std::string text = read_text(path);
-  text.erase(0, has_mark ? kByteOrderMark.size() : 0);
+  std::string text = ending == ".stl" ? mend_stl(path, mended.notes) : read_text(path);
+  text.erase(0, ending != ".stl" && text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0);
   if (ending == ".obj") {
-    return mend_obj(text, path);
+    text = mend_obj(text, path);
+  } else if (ending == ".dae") {
+    text = mend_dae(std::move(text), path);
   }
-  if (ending == ".dae") {
-    check_dae(text, path);
+  mended.files.emplace(mended.name, std::move(text));
+  return mended;
+}
+
+// Number of triangles that assimp has left out, by mesh. It makes one mesh of each primitive.
+std::map<const aiMesh*, std::size_t> lost_triangles(const aiScene& scene, const std::vector<std::size_t>& triangles) {
+  std::map<const aiMesh*, std::size_t> lost;
+  for (std::size_t i = 0; i < triangles.size() && triangles.size() == scene.mNumMeshes; ++i) {
+    if (triangles[i] > scene.mMeshes[i]->mNumFaces) {
+      lost[scene.mMeshes[i]] = triangles[i] - scene.mMeshes[i]->mNumFaces;
+    }
   }
-  return has_mark ? text : "";
+  return lost;
 }
 
 // Throws an Error with assimp's reason, or with the faulty line of an OBJ.
@@ -100,27 +121,25 @@ void keep_readers_of(const std::string& ending, Assimp::Importer& importer) {
 
 // No post-processing: clean_mesh joins vertices and computes normals in linear time, and assimp triangulates a concave
 // polygon with a corner on a diagonal, such as an L, into triangles that overlap.
-const aiScene& import_scene(Assimp::Importer& importer, const std::filesystem::path& path) {
+ImportedScene import_scene(Assimp::Importer& importer, const std::filesystem::path& path) {
   constexpr unsigned kNoSteps = 0;
   const std::string ending = ending_of(path);
-  const std::string text = check_and_mend(path, ending);
+  MendedFile mended = check_and_mend(path, ending);
   keep_readers_of(ending, importer);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
-  if (!text.empty()) {
-    importer.SetIOHandler(new TextForFile(path.string(), text));
-  }
-  importer.ReadFile(path.string(), kNoSteps);
-  importer.SetIOHandler(new Assimp::DefaultIOSystem);  // Deletes the TextForFile.
+  importer.SetIOHandler(new MemoryFirst(mended.files));
+  importer.ReadFile(mended.name, kNoSteps);
+  importer.SetIOHandler(new Assimp::DefaultIOSystem);  // Deletes the other one.
 
   const aiScene* scene = importer.GetScene();
   if (scene == nullptr || scene->mRootNode == nullptr) {
     // assimp's messages may quote the rest of the file after a line break.
     const std::string message = importer.GetErrorString();
-    throw_refusal(foreign_reason(message.substr(0, message.find('\n'))), path, ending, text);
+    throw_refusal(foreign_reason(message.substr(0, message.find('\n'))), path, ending, mended.files[mended.name]);
   }
-  return *scene;
+  return {*scene, lost_triangles(*scene, mended.triangles), std::move(mended.notes)};
 }
 
 }  // namespace insonify

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "base/log_line.h"
+#include "base/utf8.h"
 #include "insonify/error.h"
 #include "insonify/files.h"
 #include "io/file/input_file.h"
@@ -88,7 +89,7 @@ Mesh load_and_clean(const std::filesystem::path& path, const Submesh& submesh, c
   }
   mesh.name = path.string();  // For the messages of clean_mesh.
   const MeshReport report = clean_mesh(mesh);
-  mesh.name = path.stem().string();
+  mesh.name = as_utf8(path.stem().string());
   if (submesh.center) {
     move_to_origin(mesh);
   }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace insonify {
 
@@ -17,21 +18,16 @@ namespace insonify {
 /// @throws Error "PATH:LINE: STATEMENT: REASON". Returns if all normals and indices are correct.
 void check_obj_indices(std::string_view text, const std::filesystem::path& path);
 
-/// assimp 5.2 allocates all elements that the header counts before it reads the first, invents those that are missing
-/// at the end of the file, and never returns from a header without an end or an element without properties.
-/// @throws Error "PATH:LINE: ..." for a count that is not a number, or is greater than the number of elements in the
-/// file.
-void check_ply(const std::filesystem::path& path);
+/// Returns the file in a form that assimp reads: keywords in lower case, a count of 0 replaced by that of the bytes,
+/// nothing behind the last triangle.
+/// @param notes  Receives a warning about what is left out.
+/// @throws Error for a file that is neither a text with its endsolid, nor binary with all triangles that it counts.
+[[nodiscard]] std::string mend_stl(const std::filesystem::path& path, std::vector<std::string>& notes);
 
-/// assimp 5.2 accepts a text that ends before its "endsolid". It refuses binary files of a wrong size, but does not say
-/// why: "Failed to determine STL storage representation".
-/// @throws Error for a file that is neither a text with its end, nor binary with the size that its triangle count
-/// needs.
-void check_stl(const std::filesystem::path& path);
-
-/// Checks that the file is well-formed XML, and that every geometry and node that is instantiated exists: assimp 5.2
-/// leaves out those that do not.
+/// Returns the text in UTF-8, without lights, cameras and looks, except for the maps of small normals: assimp refuses
+/// files for faults in them. Checks that the text is well-formed XML, and that every geometry and node that is
+/// instantiated exists: assimp leaves out those that do not.
 /// @throws Error "PATH:LINE:COLUMN: ..."
-void check_dae(std::string_view text, const std::filesystem::path& path);
+[[nodiscard]] std::string mend_dae(std::string text, const std::filesystem::path& path);
 
 }  // namespace insonify

@@ -11,6 +11,7 @@
 #include "insonify/error.h"
 #include "insonify/printable.h"
 #include "io/file/input_file.h"
+#include "io/file/uri.h"
 #include "io/mesh/relief_file.h"
 #include "io/picture/picture_tile.h"
 
@@ -39,15 +40,17 @@ std::optional<Map> find_map(const aiMaterial& material) {
 fs::path find_picture(const std::string& name, const fs::path& mesh_path) {
   std::string plain = name;
   std::ranges::replace(plain, '\\', '/');
-  const fs::path given = plain, folder = mesh_path.parent_path();
+  const fs::path written = plain, folder = mesh_path.parent_path();
   std::error_code ignored;
-  for (const fs::path& candidate :
-       {folder / given, folder / given.filename(), folder / ".." / "materials" / "textures" / given.filename()}) {
-    if (fs::is_regular_file(candidate, ignored)) {
-      return candidate.lexically_normal();
+  for (const fs::path& given : {written, fs::path(percent_decoded(plain))}) {
+    for (const fs::path& candidate :
+         {folder / given, folder / given.filename(), folder / ".." / "materials" / "textures" / given.filename()}) {
+      if (fs::is_regular_file(candidate, ignored)) {
+        return candidate.lexically_normal();
+      }
     }
   }
-  throw Error(fmt::format("{}: no such file", printable((folder / given).lexically_normal().string(), kLongestName)));
+  throw Error(fmt::format("{}: no such file", printable((folder / written).lexically_normal().string(), kLongestName)));
 }
 
 PngReader open_picture(const aiScene& scene, const std::string& name, const fs::path& mesh_path) {

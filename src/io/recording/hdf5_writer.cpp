@@ -2,9 +2,12 @@
 
 #include "io/recording/hdf5_writer.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
+
+#include "base/utf8.h"
 
 namespace insonify {
 namespace {
@@ -71,7 +74,8 @@ void H5Writer::put(const std::string& name, std::uint64_t value, const H5Note& n
 void H5Writer::put(const std::string& name, const std::string& value, const H5Note& note) const {
   const H5Handle space = own(H5Screate(H5S_SCALAR), H5Sclose, name);
   const H5Handle type = text_type(path_);
-  const char* text = value.c_str();
+  const std::string valid = as_utf8(value);
+  const char* text = valid.c_str();
   put_values(name, type.get(), type.get(), space.get(), &text, note);
 }
 
@@ -98,8 +102,10 @@ void H5Writer::put(const std::string& name, std::span<const std::string> values,
   const hsize_t length = values.size();
   const H5Handle space = own(H5Screate_simple(1, &length, nullptr), H5Sclose, name);
   const H5Handle type = text_type(path_);
+  std::vector<std::string> valid(values.size());
+  std::ranges::transform(values, valid.begin(), [](const std::string& value) { return as_utf8(value); });
   std::vector<const char*> texts;
-  for (const std::string& value : values) {
+  for (const std::string& value : valid) {
     texts.push_back(value.c_str());
   }
   put_values(name, type.get(), type.get(), space.get(), texts.data(), note);
@@ -115,7 +121,7 @@ void H5Writer::put_attribute(const std::string& object, const std::string& name,
 
 void H5Writer::attribute(const std::string& object, const std::string& name, std::string_view text) const {
   const H5Handle type = text_type(path_);
-  const std::string copy(text);
+  const std::string copy = as_utf8(text);
   const char* pointer = copy.c_str();
   put_attribute(object, name, type.get(), &pointer);
 }
