@@ -65,8 +65,9 @@ void check_numbers(const XmlFile& file, pugi::xml_node element) {
     all_finite = all_finite && is_finite_number(word);
   }
   if (!all_finite || found < wanted) {
-    throw Error(fmt::format("{}<{}> = '{}' must be {}", file.where(element), element.name(), printable(content),
-                            in_words(wanted)));
+    throw SdfFault(fmt::format("{}<{}> = '{}' must be {}", file.where(element), element.name(), printable(content),
+                               in_words(wanted)),
+                   file, element);
   }
 }
 
@@ -75,7 +76,7 @@ void check_include_part(const XmlFile& file, pugi::xml_node element) {
   static const std::set<std::string_view> kParts = {"name", "static", "placement_frame"};
   if (element.parent().name() == std::string_view("include") && kParts.contains(element.name()) &&
       xml_text(element).empty()) {
-    throw Error(fmt::format("{}<{}> of an include is empty", file.where(element), element.name()));
+    throw SdfFault(fmt::format("{}<{}> of an include is empty", file.where(element), element.name()), file, element);
   }
 }
 
@@ -86,8 +87,9 @@ void check_links(const XmlFile& file, pugi::xml_node element) {
   const std::string is_static = xml_text(element.child("static"));
   if (!element.child("link") && !element.child("model") && !element.child("include") && is_static != "true" &&
       is_static != "1") {
-    throw Error(fmt::format("{}model '{}' must have a link, or be static", file.where(element),
-                            printable(element.attribute("name").value())));
+    throw SdfFault(fmt::format("{}model '{}' must have a link, or be static", file.where(element),
+                               printable(element.attribute("name").value())),
+                   file, element);
   }
 }
 
@@ -102,16 +104,64 @@ void check_name(const XmlFile& file, pugi::xml_node element) {
       return;
     }
     if (other.attribute("name").value() == name) {
-      throw Error(fmt::format("{}{} '{}' has the name of the one of line {}", file.where(element), element.name(),
-                              printable(name), file.line_of(other)));
+      throw SdfFault(fmt::format("{}{} '{}' has the name of the one of line {}", file.where(element), element.name(),
+                                 printable(name), file.line_of(other)),
+                     file, element);
     }
   }
+}
+
+// The element without which a file may be read that has a fault in this one. A shape or a place that cannot be read
+// must not become a default.
+pugi::xml_node element_to_leave_out(pugi::xml_node element) {
+  static const std::set<std::string_view> kPlaced = {"visual",  "collision", "link", "model",
+                                                     "include", "frame",     "joint"};
+  const auto is = [](pugi::xml_node node, const char* name) { return node.name() == std::string_view(name); };
+  bool says_where_or_what = is(element, "pose");
+  for (pugi::xml_node node = element; node && !is(node, "sdf") && !is(node, "world"); node = node.parent()) {
+    says_where_or_what = says_where_or_what || is(node, "geometry");
+    if (kPlaced.contains(node.name()) && (node == element || says_where_or_what)) {
+      return node;
+    }
+  }
+  return is(element, "sdf") || is(element, "world") ? pugi::xml_node() : element;
 }
 
 // Versions of SDF that libsdformat 12 supports.
 constexpr std::pair kOldest{1, 4}, kNewest{1, 9};
 
 }  // namespace
+
+SdfFault::SdfFault(const std::string& message, const XmlFile& file, pugi::xml_node element)
+    : Error(message), place_to_leave_out(element ? file.where(element_to_leave_out(element)) : "") {}
+
+bool complete_sdf_pose(const XmlFile& file, pugi::xml_node element, const Log& log) {
+  const std::string content = xml_text(element);
+  if (element.name() != std::string_view("pose") || content.empty()) {
+    return false;
+  }
+  constexpr std::string_view kNoTurn[] = {"0", "0", "0", "0", "0", "0", "1"};  // The quaternion has its scalar last.
+  const std::size_t wanted = numbers_wanted(element);
+  std::istringstream words(content);
+  std::size_t found = 0;
+  for (std::string word; words >> word; ++found) {
+    if (!is_finite_number(word)) {
+      return false;
+    }
+  }
+  if (found >= wanted) {
+    return false;
+  }
+  std::string completed = content;
+  for (std::size_t i = found; i < wanted; ++i) {
+    completed.append(" ").append(kNoTurn[i]);
+  }
+  log_line(log, Severity::kWarning,
+           fmt::format("{}<pose> = '{}' has {} of {} numbers: it is read as '{}'", file.where(element),
+                       printable(content), found, wanted, printable(completed)));
+  element.remove_children();
+  return element.text().set(completed.c_str());
+}
 
 void check_sdf_element(const XmlFile& file, pugi::xml_node element) {
   check_include_part(file, element);

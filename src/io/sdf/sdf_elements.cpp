@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <iterator>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -13,14 +14,24 @@
 namespace insonify {
 
 bool is_irrelevant_sdf(pugi::xml_node element) {
-  static const std::set<std::pair<std::string, std::string>> kLeftOut = {
-      {"visual", "material"}, {"collision", "surface"}, {"link", "inertial"},
-      {"link", "sensor"},     {"link", "light"},        {"link", "particle_emitter"},
-      {"joint", "sensor"},    {"world", "light"},       {"world", "physics"},
-      {"world", "gui"},       {"world", "scene"},       {"world", "actor"},
-      {"state", "light"},     {"state", "insertions"},  {"state", "deletions"},
-      {"sdf", "light"},       {"sdf", "actor"}};
-  return kLeftOut.contains({element.parent().name(), element.name()});
+  static const std::map<std::string_view, std::set<std::string_view>> kLeftOut = {
+      {"visual", {"material", "cast_shadows", "laser_retro", "visibility_flags", "meta"}},
+      {"collision", {"surface", "max_contacts", "laser_retro"}},
+      {"link",
+       {"inertial", "sensor", "light", "particle_emitter", "gravity", "enable_wind", "self_collide", "kinematic",
+        "must_be_base_link", "velocity_decay", "audio_sink", "audio_source", "battery", "projector"}},
+      {"model", {"self_collide", "allow_auto_disable", "enable_wind", "gripper"}},
+      {"joint", {"sensor"}},
+      {"world",
+       {"light", "physics", "gui", "scene", "actor", "spherical_coordinates", "gravity", "magnetic_field", "wind",
+        "atmosphere", "audio", "population"}},
+      {"state", {"light", "insertions", "deletions"}},
+      {"sdf", {"light", "actor"}}};
+  if (element.name() == std::string_view("plugin")) {
+    return element.attribute("name").value() != std::string_view("insonify");
+  }
+  const auto found = kLeftOut.find(element.parent().name());
+  return found != kLeftOut.end() && found->second.contains(element.name());
 }
 
 bool is_sdf_include(pugi::xml_node element) {

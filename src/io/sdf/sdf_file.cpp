@@ -65,9 +65,10 @@ std::string where(const sdf::Error& error, const std::string& file, const SdfSou
   return source.shown(path) + ": ";
 }
 
-// One line for all errors. If libsdformat says only which element it could not read, the reason is on the console.
-std::string summary(const sdf::Errors& errors, const std::vector<std::string>& console, const std::string& file,
-                    const SdfSource& source) {
+// One line for all errors, as the fault of an element where libsdformat names its line. If libsdformat says only which
+// element it could not read, the reason is on the console.
+SdfFault summary(const sdf::Errors& errors, const std::vector<std::string>& console, const std::string& file,
+                 const SdfSource& source) {
   const sdf::Error* cause = &errors.front();
   std::set<std::string> causes;
   for (const sdf::Error& error : errors) {
@@ -79,7 +80,10 @@ std::string summary(const sdf::Errors& errors, const std::vector<std::string>& c
   const bool silent = causes.empty() && !console.empty();
   const std::string text = where(*cause, file, source) + foreign_reason(silent ? console.front() : cause->Message());
   const std::size_t more = causes.size() > 1 ? causes.size() - 1 : 0;
-  return more == 0 ? text : fmt::format("{} (and {} more error{})", text, more, more == 1 ? "" : "s");
+  const std::string whole =
+      more == 0 ? text : fmt::format("{} (and {} more error{})", text, more, more == 1 ? "" : "s");
+  return source.fault(whole, cause->FilePath().value_or(file), cause->LineNumber().value_or(0),
+                      element_of(cause->XmlPath().value_or("")));
 }
 
 // libsdformat does not pass on errors inside included files: they are found by reading each file again.
@@ -88,10 +92,10 @@ void explain_failure(const sdf::Errors& errors, const std::vector<std::string>& 
     const SdfConsole quiet;
     sdf::Errors faults;
     if (sdf::readFile(file, faults) == nullptr || !faults.empty()) {
-      throw Error(summary(faults.empty() ? errors : faults, quiet.sentences(), file, source));
+      throw summary(faults.empty() ? errors : faults, quiet.sentences(), file, source);
     }
   }
-  throw Error(summary(errors, console, source.files().back(), source));
+  throw summary(errors, console, source.files().back(), source);
 }
 
 // For some faulty values libsdformat throws exceptions of the standard library.
@@ -122,14 +126,17 @@ sdf::Root read_sdf_root(const SdfSource& source, const Log& log) {
   return root;
 }
 
-SdfFile parse(const std::filesystem::path& path, bool joints, bool strict, MissingParts& missing, const Log& log) {
+SdfFile parse(const std::filesystem::path& path, bool joints, const std::set<std::string>& without, bool strict,
+              MissingParts& missing, const Log& log) {
   SdfFile parsed;
-  parsed.source = std::make_unique<SdfSource>(path, joints, missing, log);
+  parsed.source = std::make_unique<SdfSource>(path, joints, strict, without, missing, log);
   if (strict) {
     missing.report(path.string(), strict, log);
   }
   try {
     parsed.root = read_sdf_root(*parsed.source, log);
+  } catch (const SdfFault&) {
+    throw;
   } catch (const Error& error) {
     throw missing.empty() ? error
                           : Error(fmt::format("{}; missing parts may be the cause: {}", error.what(), missing.text()));
@@ -153,32 +160,42 @@ std::unique_lock<std::mutex> lock_sdf() {
   return std::unique_lock(one_at_a_time);
 }
 
-// Faults of joints, which have no shape, are tolerated: if the file cannot be read, it is read again without joints.
+// If the file cannot be read, it is read again without the element that is at fault; if none is known, or there are too
+// many of them, without its joints, which have no shape.
 SdfFile read_sdf_file(const std::filesystem::path& path, bool strict, MissingParts& missing, const Log& log) {
-  std::vector<std::pair<Severity, std::string>> said;
-  const Log keep = [&](Severity severity, const std::string& line) { said.emplace_back(severity, line); };
-  const auto flush_warnings = [&] {
-    for (const auto& [severity, line] : said) {
-      log_line(log, severity, line);
-    }
-  };
-  SdfFile parsed;
-  MissingParts found;
-  try {
-    parsed = parse(path, true, strict, found, keep);
-  } catch (const Error& fault) {
-    if (strict) {
+  constexpr std::size_t kMostFaults = 100;
+  std::set<std::string> without;
+  std::vector<std::string> faults;
+  for (bool joints = true;;) {
+    std::vector<std::pair<Severity, std::string>> said;
+    const Log keep = [&](Severity severity, const std::string& line) { said.emplace_back(severity, line); };
+    const auto flush_warnings = [&] {
+      for (const auto& [severity, line] : said) {
+        log_line(log, severity, line);
+      }
+    };
+    MissingParts found;
+    try {
+      SdfFile parsed = parse(path, joints, without, strict, found, keep);
       flush_warnings();
-      throw;
+      for (const std::string& fault : faults) {
+        found.add(fault, "");
+      }
+      missing = found;
+      return parsed;
+    } catch (const Error& error) {
+      const auto* fault = dynamic_cast<const SdfFault*>(&error);
+      const bool is_known = fault != nullptr && !fault->place_to_leave_out.empty() && faults.size() < kMostFaults &&
+                            without.insert(fault->place_to_leave_out).second;
+      if (strict || (!is_known && !joints)) {
+        flush_warnings();
+        throw;
+      }
+      faults.push_back(is_known ? error.what()
+                                : fmt::format("the joints, which have no shapes, for a fault: {}", error.what()));
+      joints = joints && is_known;
     }
-    said.clear();
-    found = {};
-    parsed = parse(path, false, strict, found, keep);
-    found.add("the joints, which have no shapes,", fmt::format(" for a fault: {}", fault.what()));
   }
-  flush_warnings();
-  missing = found;
-  return parsed;
 }
 
 }  // namespace insonify

@@ -27,8 +27,8 @@ struct SdfFile {
 /// Locks libsdformat's global state: its settings and std::cerr. To be held while a file is read.
 [[nodiscard]] std::unique_lock<std::mutex> lock_sdf();
 
-/// Reads a file, without its joints if their faults would prevent it.
-/// @param strict   Whether missing parts and faulty joints are errors.
+/// Reads a file, without elements whose faults would prevent it.
+/// @param strict   Whether missing parts and faulty elements are errors.
 /// @param missing  Receives missing and unreadable parts. This and `log` must outlive the file.
 /// @throws Error "path:line:column: ..." for faults.
 [[nodiscard]] SdfFile read_sdf_file(const std::filesystem::path& path, bool strict, MissingParts& missing,

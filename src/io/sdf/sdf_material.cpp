@@ -47,14 +47,15 @@ std::string sdf_material(const sdf::ElementPtr& element, const std::string& what
     }
     const std::string shown = printable(child->GetName());
     if (name != "material") {
-      throw Error(fmt::format("{}: <{}> is unknown, insonify knows <material>", what, shown));
+      throw InsonifyElementError(fmt::format("{}: <{}> is unknown, insonify knows <material>", what, shown));
     }
     const std::string text = sdf_text(child);
     if (text.empty()) {
-      throw Error(fmt::format("{}: <{}> is empty", what, shown));
+      throw InsonifyElementError(fmt::format("{}: <{}> is empty", what, shown));
     }
     if (!material.empty() && material != text) {
-      throw Error(fmt::format("{} has two materials, '{}' and '{}'", what, printable(material), printable(text)));
+      throw InsonifyElementError(
+          fmt::format("{} has two materials, '{}' and '{}'", what, printable(material), printable(text)));
     }
     material = text;
   }

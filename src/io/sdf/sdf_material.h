@@ -7,7 +7,15 @@
 #include <string>
 #include <vector>
 
+#include "insonify/error.h"
+
 namespace insonify {
+
+/// A fault in insonify's own elements: always an error, as those are the user's.
+class InsonifyElementError : public Error {
+ public:
+  using Error::Error;
+};
 
 /// One of insonify's elements.
 struct InsonifyElement {
@@ -27,7 +35,7 @@ struct InsonifyElement {
 /// Material named by <insonify:material>steel</insonify:material>, or by <material>steel</material> in the plugin,
 /// directly inside `element`; "" when there is none.
 /// @param what  "path:line:column: visual 'a::b'", for messages.
-/// @throws Error for two different names, an empty one, and for unknown elements of insonify's.
+/// @throws InsonifyElementError for two different names, an empty one, and for unknown elements of insonify's.
 [[nodiscard]] std::string sdf_material(const sdf::ElementPtr& element, const std::string& what);
 
 }  // namespace insonify

@@ -67,12 +67,20 @@ SdfSceneBuilder::MaterialName SdfSceneBuilder::own_or(const MaterialName& inheri
   return own.empty() ? inherited : MaterialName{own, place(*element)};
 }
 
-std::optional<PlacedMesh> SdfSceneBuilder::shape_or_none(const sdf::Geometry& geometry, const std::string& where) {
+// Adds something that is skipped with its fault.
+template <typename Add>
+void SdfSceneBuilder::add_or_skip(const Add& add) {
   try {
-    return shapes_.shape(geometry, where, collisions_);
+    add();
   } catch (const UnreadablePart& unreadable) {
     missing_.add(unreadable);
-    return std::nullopt;
+  } catch (const InsonifyElementError&) {
+    throw;
+  } catch (const Error& error) {
+    if (options_.strict) {
+      throw;
+    }
+    missing_.add(error.what(), "");
   }
 }
 
@@ -89,7 +97,7 @@ void SdfSceneBuilder::add_part(const Part& part, const char* kind, const std::st
     return;
   }
   const std::string where = what(kind, name, *part.Element());
-  const std::optional<PlacedMesh> shape = shape_or_none(*part.Geom(), where);
+  const std::optional<PlacedMesh> shape = shapes_.shape(*part.Geom(), where, collisions_);
   if (!shape) {
     return;
   }
@@ -122,10 +130,10 @@ void SdfSceneBuilder::add_link(const sdf::Link& link, const std::string& scope, 
   visual_count_ += link.VisualCount();
   collision_count_ += link.CollisionCount();
   for (std::uint64_t i = 0; !collisions_ && i < link.VisualCount(); ++i) {
-    add_part(*link.VisualByIndex(i), "visual", name + "::", world_from_link, material);
+    add_or_skip([&] { add_part(*link.VisualByIndex(i), "visual", name + "::", world_from_link, material); });
   }
   for (std::uint64_t i = 0; collisions_ && i < link.CollisionCount(); ++i) {
-    add_part(*link.CollisionByIndex(i), "collision", name + "::", world_from_link, material);
+    add_or_skip([&] { add_part(*link.CollisionByIndex(i), "collision", name + "::", world_from_link, material); });
   }
 }
 
@@ -138,12 +146,14 @@ void SdfSceneBuilder::add_model(const sdf::Model& model, const std::string& scop
   }
   material = own_or(material, model.Element(), what("model", name, *model.Element()));
   for (std::uint64_t i = 0; i < model.LinkCount(); ++i) {
-    add_link(*model.LinkByIndex(i), name + "::", world_from_model, material);
+    add_or_skip([&] { add_link(*model.LinkByIndex(i), name + "::", world_from_model, material); });
   }
   for (std::uint64_t i = 0; i < model.ModelCount(); ++i) {
-    const sdf::Model& inner = *model.ModelByIndex(i);
-    const Pose model_from_inner = resolve(inner, what("model", name + "::" + inner.Name(), *inner.Element()));
-    add_model(inner, name + "::", world_from_model * model_from_inner, material);
+    add_or_skip([&] {
+      const sdf::Model& inner = *model.ModelByIndex(i);
+      const Pose model_from_inner = resolve(inner, what("model", name + "::" + inner.Name(), *inner.Element()));
+      add_model(inner, name + "::", world_from_model * model_from_inner, material);
+    });
   }
 }
 
@@ -160,15 +170,17 @@ void SdfSceneBuilder::add_top_model(const sdf::Model& model, const Pose& world_f
 void SdfSceneBuilder::add_world(const sdf::World& world) {
   const std::map<std::string, Pose> saved = sdf_saved_poses(world);
   for (std::uint64_t i = 0; i < world.ModelCount(); ++i) {
-    const sdf::Model& model = *world.ModelByIndex(i);
-    const Pose own = resolve(model, what("model", model.Name(), *model.Element()));
-    const auto found = saved.find(model.Name());
-    add_top_model(model, found == saved.end() ? own : found->second);
+    add_or_skip([&] {
+      const sdf::Model& model = *world.ModelByIndex(i);
+      const Pose own = resolve(model, what("model", model.Name(), *model.Element()));
+      const auto found = saved.find(model.Name());
+      add_top_model(model, found == saved.end() ? own : found->second);
+    });
   }
 }
 
 void SdfSceneBuilder::add_model(const sdf::Model& model) {
-  add_top_model(model, resolve(model, what("model", model.Name(), *model.Element())));
+  add_or_skip([&] { add_top_model(model, resolve(model, what("model", model.Name(), *model.Element()))); });
 }
 
 void SdfSceneBuilder::warn(const std::string& file, const std::string& text,

@@ -53,6 +53,8 @@ class SdfSceneBuilder {
     Place place = {};
   };
 
+  template <typename Add>
+  void add_or_skip(const Add& add);
   void add_top_model(const sdf::Model& model, const Pose& world_from_model);
   void add_model(const sdf::Model& model, const std::string& scope, const Pose& world_from_model,
                  MaterialName material);
@@ -65,7 +67,6 @@ class SdfSceneBuilder {
   [[nodiscard]] std::string what(const char* kind, const std::string& name, sdf::Element& element) const;
   [[nodiscard]] MaterialName own_or(const MaterialName& inherited, const sdf::ElementPtr& element,
                                     const std::string& where) const;
-  [[nodiscard]] std::optional<PlacedMesh> shape_or_none(const sdf::Geometry& geometry, const std::string& where);
   [[nodiscard]] bool is_for_eyes_only(const sdf::Visual& visual) const;
   [[nodiscard]] static bool is_for_eyes_only(const sdf::Collision& /*collision*/) { return false; }
   void warn(const std::string& file, const std::string& text, const std::vector<std::string>& names) const;

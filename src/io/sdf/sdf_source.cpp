@@ -32,8 +32,9 @@ std::string text_of(const XmlFile& file) {
 
 }  // namespace
 
-SdfSource::SdfSource(const fs::path& file, bool joints, MissingParts& missing, const Log& log)
-    : file_(file), joints_(joints), missing_(missing), log_(log) {
+SdfSource::SdfSource(const fs::path& file, bool joints, bool strict, const std::set<std::string>& without,
+                     MissingParts& missing, const Log& log)
+    : file_(file), joints_(joints), strict_(strict), without_(without), missing_(missing), log_(log) {
   const std::string whole = fs::absolute(file).lexically_normal().string();
   open(whole);
   prepare(whole);
@@ -92,6 +93,16 @@ Place SdfSource::place_within(const std::string& path, int line, const std::stri
   const pugi::xml_node found = outer.find_node(
       [&](pugi::xml_node node) { return node.name() == inner && node.attribute("name").value() == inner_name; });
   return found ? file->second->xml.place(found) : place(path, line, element, name);
+}
+
+SdfFault SdfSource::fault(const std::string& message, const std::string& path, int line,
+                          const std::string& element) const {
+  const Source& source = *sources_.at(sources_.contains(original(path)) ? original(path) : original(files_.back()));
+  pugi::xml_node found = find(source, line, element, "");
+  if (const auto any = source.lines.find(line); !found && any != source.lines.end()) {
+    found = any->second;
+  }
+  return {message, source.xml, found};
 }
 
 std::string SdfSource::place_of_name(const std::string& name) const {
@@ -182,6 +193,23 @@ bool SdfSource::prepare_include(pugi::xml_node include, const XmlFile& xml, cons
   return true;
 }
 
+// Reports what is missed in a scene, and keeps what it says about others.
+void SdfSource::note_left_out(pugi::xml_node element, const XmlFile& xml) {
+  if (element.name() == std::string_view("actor")) {
+    log_line(log_, Severity::kWarning, xml.where(element) + "an actor is skipped");
+  }
+  if (paints_sdf_water(element)) {
+    water_.insert(xml.where(element.parent()));
+  }
+  const pugi::xml_node surface = element.child("surface_model");
+  const std::string name = xml_text(surface);
+  if (element.name() == std::string_view("spherical_coordinates") && surface && name != "EARTH_WGS84") {
+    log_line(
+        log_, Severity::kWarning,
+        fmt::format("{}<surface_model> = '{}' is not read: places are in metres", xml.where(surface), printable(name)));
+  }
+}
+
 // Checks the elements inside `parent`, removes irrelevant ones and resolves includes. Returns whether it changed the
 // tree.
 bool SdfSource::prepare_inside(pugi::xml_node parent, const XmlFile& xml, const fs::path& file) {
@@ -191,24 +219,17 @@ bool SdfSource::prepare_inside(pugi::xml_node parent, const XmlFile& xml, const 
     if (child.type() != pugi::node_element) {
       continue;
     }
-    if (!joints_ && child.name() == std::string_view("joint") &&
-        !is_sdf_frame_of_another(xml.root(), child.attribute("name").value())) {
+    const bool is_idle_joint = !joints_ && child.name() == std::string_view("joint") &&
+                               !is_sdf_frame_of_another(xml.root(), child.attribute("name").value());
+    if (is_idle_joint || is_irrelevant_sdf(child) || without_.contains(xml.where(child))) {
+      note_left_out(child, xml);
       parent.remove_child(child);
+      keep_empty_sdf_model_readable(parent);
       changed = true;
       continue;
     }
+    changed = (!strict_ && complete_sdf_pose(xml, child, log_)) || changed;
     check_sdf_element(xml, child);
-    if (is_irrelevant_sdf(child)) {
-      if (child.name() == std::string_view("actor")) {
-        log_line(log_, Severity::kWarning, xml.where(child) + "an actor is skipped");
-      }
-      if (paints_sdf_water(child)) {
-        water_.insert(xml.where(parent));
-      }
-      parent.remove_child(child);
-      changed = true;
-      continue;
-    }
     changed = prepare_inside(child, xml, file) || changed;
     if (is_sdf_include(child)) {
       changed = prepare_include(child, xml, file) || changed;
@@ -218,7 +239,8 @@ bool SdfSource::prepare_inside(pugi::xml_node parent, const XmlFile& xml, const 
 }
 
 void SdfSource::open(const std::string& name) {
-  auto source = std::make_unique<Source>(XmlFile(read_text(shown(name)), shown(name)));
+  const std::string text = read_text(shown(name)), valid = xml_in_utf8(text);
+  auto source = std::make_unique<Source>(XmlFile(valid, shown(name)), valid != text);
   check_sdf_version(source->xml, log_);
   sources_[name] = std::move(source);
 }
@@ -236,7 +258,7 @@ std::optional<std::string> SdfSource::prepare(const std::string& name) {
     ready_[name] = {Ready::kDone, std::nullopt};
     return std::nullopt;
   }
-  const bool changed = put_world_around_sdf_models(source.xml.root()) || changed_inside;
+  const bool changed = put_world_around_sdf_models(source.xml.root()) || changed_inside || source.converted;
   const std::string copy = changed ? text_of(source.xml) : "";
   const std::string to_read = changed ? write_copy(copy, name) : name;
 

@@ -14,6 +14,7 @@
 #include "insonify/log.h"
 #include "io/file/missing_parts.h"
 #include "io/file/xml_file.h"
+#include "io/sdf/sdf_check.h"
 
 namespace insonify {
 
@@ -29,12 +30,16 @@ class SdfSource {
  public:
   /// @param joints   Whether joints are kept. They have no shape and can be removed, except those that are the frame of
   ///                 something else.
+  /// @param strict   Whether a pose with too few numbers is an error; else it is completed.
+  /// @param without  "path:line:column: " of elements that are left out for their faults.
   /// @param missing  Receives included models that are not found or cannot be read, which are removed.
-  /// @param log      Receives warnings about versions other than 1.4 to 1.9 and about actors, which are skipped.
-  /// The last two must outlive this object.
+  /// @param log      Receives warnings about versions other than 1.4 to 1.9, about actors, which are skipped, and about
+  ///                 poses with too few numbers.
+  /// The last three must outlive this object.
   /// @throws Error for a file that is missing, not XML or not SDF, for files that include themselves, and for faults
   /// that check_sdf_element() finds.
-  SdfSource(const std::filesystem::path& file, bool joints, MissingParts& missing, const Log& log);
+  SdfSource(const std::filesystem::path& file, bool joints, bool strict, const std::set<std::string>& without,
+            MissingParts& missing, const Log& log);
   ~SdfSource();
   SdfSource(const SdfSource&) = delete;
   SdfSource& operator=(const SdfSource&) = delete;
@@ -59,6 +64,10 @@ class SdfSource {
                                    const std::string& name, const std::string& inner,
                                    const std::string& inner_name) const;
 
+  /// The fault of such an element. With a line of which nothing is known, of none.
+  [[nodiscard]] SdfFault fault(const std::string& message, const std::string& path, int line,
+                               const std::string& element) const;
+
   /// "path:line:column: " of the first element with an attribute of value `name`, the file itself before its includes;
   /// "" if there is none.
   [[nodiscard]] std::string place_of_name(const std::string& name) const;
@@ -74,8 +83,9 @@ class SdfSource {
   };
   // The tree of a user's file without the removed elements, and its elements by the line where libsdformat sees them.
   struct Source {
-    explicit Source(XmlFile file) : xml(std::move(file)) {}
+    Source(XmlFile file, bool was_converted) : xml(std::move(file)), converted(was_converted) {}
     XmlFile xml;
+    bool converted;  // From another encoding than UTF-8.
     std::multimap<int, pugi::xml_node> lines;
   };
 
@@ -83,6 +93,7 @@ class SdfSource {
                                     const std::string& name) const;
   void open(const std::string& name);
   std::optional<std::string> prepare(const std::string& name);
+  void note_left_out(pugi::xml_node element, const XmlFile& xml);
   bool prepare_inside(pugi::xml_node parent, const XmlFile& xml, const std::filesystem::path& file);
   bool prepare_include(pugi::xml_node include, const XmlFile& xml, const std::filesystem::path& file);
   std::optional<std::string> resolve_include(const std::string& uri, const std::filesystem::path& file,
@@ -96,7 +107,8 @@ class SdfSource {
   std::map<std::string, std::unique_ptr<Source>> sources_;  // by original
   std::map<std::string, Ready> ready_;                      // by original
   std::set<std::string> water_;                             // Places of visuals.
-  bool joints_;
+  bool joints_, strict_;
+  const std::set<std::string>& without_;
   MissingParts& missing_;
   const Log& log_;
 };

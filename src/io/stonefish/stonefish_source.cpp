@@ -69,7 +69,7 @@ void replace_in(const XmlFile& file, const std::map<std::string, std::string>& a
 }
 
 std::shared_ptr<const XmlFile> open_scenario(const std::string& shown) {
-  auto file = std::make_shared<const XmlFile>(read_text(shown), shown);
+  auto file = std::make_shared<const XmlFile>(xml_in_utf8(read_text(shown)), shown);
   if (file->root().name() != std::string_view("scenario")) {
     throw Error(fmt::format("{}the root element is <{}>, not <scenario>", file->where(file->root()),
                             printable(file->root().name())));

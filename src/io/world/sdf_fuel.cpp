@@ -6,9 +6,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdlib>
 #include <vector>
+
+#include "io/file/uri.h"
 
 namespace insonify {
 namespace {
@@ -24,22 +25,6 @@ struct FuelUri {
 std::string lower(std::string text) {
   std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
   return text;
-}
-
-// Decodes percent-encoded characters.
-std::string decoded(const std::string& text) {
-  std::string plain;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    unsigned code = 0;
-    const char* const digits = text.data() + i + 1;
-    if (text[i] == '%' && i + 2 < text.size() && std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2) {
-      plain += static_cast<char>(code);
-      i += 2;
-    } else {
-      plain += text[i];
-    }
-  }
-  return plain;
 }
 
 std::vector<std::string> split(const std::string& text) {
@@ -67,7 +52,7 @@ std::vector<std::string> words_of_model(const std::string& uri) {
   }
   std::vector<std::string> words = split(uri.substr(scheme + 3));
   const bool safe = std::ranges::none_of(words, [](const std::string& word) {
-    const std::string plain = decoded(word);
+    const std::string plain = percent_decoded(word);
     return plain == ".." || plain == "." || plain.find('/') != std::string::npos;
   });
   return safe && words.size() >= 5 && words[3] == "models" ? words : std::vector<std::string>();
@@ -78,7 +63,7 @@ std::optional<FuelUri> parse(const std::string& uri) {
   if (words.empty()) {
     return std::nullopt;
   }
-  FuelUri found{lower(words[0]), lower(decoded(words[2])), lower(decoded(words[4])), "", {}};
+  FuelUri found{lower(words[0]), lower(percent_decoded(words[2])), lower(percent_decoded(words[4])), "", {}};
   std::size_t next = 5;
   if (next < words.size() && (words[next] == "tip" || is_number(words[next]))) {
     found.version = words[next] == "tip" ? "" : words[next];
@@ -86,7 +71,7 @@ std::optional<FuelUri> parse(const std::string& uri) {
   }
   next += next < words.size() && words[next] == "files" ? 1 : 0;
   for (; next < words.size(); ++next) {
-    found.parts.push_back(decoded(words[next]));
+    found.parts.push_back(percent_decoded(words[next]));
   }
   return found;
 }

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <vector>
 
+#include "io/file/uri.h"
 #include "io/world/sdf_fuel.h"
 
 namespace insonify {
@@ -30,12 +31,13 @@ Uri split_uri(const std::string& uri) {
   return {uri.substr(0, mark), uri.substr(mark + 3)};
 }
 
-bool names_model(const Uri& uri) {
-  return uri.scheme == "model" || uri.scheme == "package";
+bool is_remote(const Uri& uri) {
+  return uri.scheme == "http" || uri.scheme == "https";
 }
 
-bool is_local(const Uri& uri) {
-  return uri.scheme.empty() || uri.scheme == "file" || names_model(uri);
+// Whether the rest is looked for in the folders of models, as in Gazebo: "model", "package", or any other scheme.
+bool names_model(const Uri& uri) {
+  return !uri.scheme.empty() && uri.scheme != "file" && !is_remote(uri);
 }
 
 // Folders to look in, nearest first.
@@ -69,22 +71,24 @@ std::optional<fs::path> find_sdf_uri(const std::string& text, const fs::path& ba
     return find_fuel_uri(text);
   }
   const Uri uri = split_uri(text);
-  if (!is_local(uri) || uri.path.empty()) {
+  if (is_remote(uri) || uri.path.empty()) {
     return std::nullopt;
   }
-  // An absolute path replaces whatever folder it is appended to. After model:// nothing is absolute.
-  const fs::path path = names_model(uri) ? fs::path(uri.path).relative_path() : fs::path(uri.path);
   std::optional<fs::path> first;
-  for (const fs::path& folder : search_folders(uri, base)) {
-    std::error_code ignored;
-    const fs::path candidate = (folder / path).lexically_normal();
-    if (!fs::exists(candidate, ignored)) {
-      continue;
+  for (const std::string& text_of_path : {uri.path, percent_decoded(uri.path)}) {
+    // An absolute path replaces whatever folder it is appended to. After model:// nothing is absolute.
+    const fs::path path = names_model(uri) ? fs::path(text_of_path).relative_path() : fs::path(text_of_path);
+    for (const fs::path& folder : search_folders(uri, base)) {
+      std::error_code ignored;
+      const fs::path candidate = (folder / path).lexically_normal();
+      if (!fs::exists(candidate, ignored)) {
+        continue;
+      }
+      if (!accepts || accepts(candidate)) {
+        return candidate;
+      }
+      first = first.value_or(candidate);
     }
-    if (!accepts || accepts(candidate)) {
-      return candidate;
-    }
-    first = first.value_or(candidate);
   }
   return first;
 }
@@ -94,7 +98,7 @@ std::string sdf_uri_not_found(const std::string& text, const fs::path& base) {
     return fuel_uri_not_found();
   }
   const Uri uri = split_uri(text);
-  if (!is_local(uri)) {
+  if (is_remote(uri)) {
     return "is not on this machine: fetch it and name its folder";
   }
   if (uri.path.empty()) {

@@ -11,10 +11,11 @@ namespace insonify {
 
 /// Finds the file or the model's folder that a URI of an SDF file names.
 ///
-/// "model://ship/x", "package://ship/x" and plain relative paths are looked for beside the file, then in each folder
-/// above it (and in its `models`, for the two schemes), then in each folder of the path lists INSONIFY_MODEL_PATH,
+/// "model://ship/x", the same with any other scheme, and plain relative paths are looked for beside the file, then in
+/// each folder above it (and in its `models`, for schemes), then in each folder of the path lists INSONIFY_MODEL_PATH,
 /// SDF_PATH, GZ_SIM_RESOURCE_PATH, IGN_GAZEBO_RESOURCE_PATH, GAZEBO_MODEL_PATH and GAZEBO_RESOURCE_PATH. "file://"
-/// takes a path, absolute or not. A URI of the Fuel server is looked for in its caches (sdf_fuel.h).
+/// takes a path, absolute or not. Paths may be percent-encoded. A URI of the Fuel server is looked for in its caches
+/// (sdf_fuel.h).
 /// @param base     The SDF file that holds the URI.
 /// @param accepts  Whether an existing path is the right one; the search continues past wrong ones. Empty:
 ///                 any is.

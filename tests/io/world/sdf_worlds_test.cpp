@@ -113,10 +113,10 @@ TEST_F(SdfWorldsTest, AFaultyJointCostsNoShapes) {
   EXPECT_THAT(error_of(text), HasSubstr("mast"));
 }
 
-TEST_F(SdfWorldsTest, FaultsThatAreNotOfJointsStayErrors) {
+TEST_F(SdfWorldsTest, AWorldOfNothingButFaultsIsAnError) {
   const std::string text = world("<model name='m'><link name='l'><pose>1 2 x 0 0 0</pose></link></model>");
   EXPECT_EQ(error_of_file(write("scene.sdf", text), {}),
-            "scene.sdf:2:32: <pose> = '1 2 x 0 0 0' must be 6 finite numbers");
+            "scene.sdf: nothing is left to insonify: scene.sdf:2:32: <pose> = '1 2 x 0 0 0' must be 6 finite numbers");
 }
 
 TEST_F(SdfWorldsTest, PatternsLeaveOutModelsLinksAndVisuals) {
