@@ -1,22 +1,11 @@
 // main.cpp -- parses the command line, runs the command and sets the exit status.
 
-#include "about/about.h"
-#include "benchmark/bench.h"
-#include "bridge/bridge_command.h"
-#include "compare/compare.h"
+#include "console/commands.h"
 #include "console/console.h"
 #include "console/outcome.h"
-#include "emulate/emulate.h"
-#include "export/export.h"
-#include "info/info.h"
 #include "insonify/engine.h"
 #include "insonify/files.h"
 #include "insonify/version.h"
-#include "pictures/draw.h"
-#include "replay/replay.h"
-#include "run/run.h"
-#include "serve/serve.h"
-#include "shell/shell_texts.h"
 
 namespace insonify {
 namespace {

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <string_view>
 
+#include "acoustics/diffraction.h"
 #include "acoustics/formula.h"
-#include "acoustics/fresnel.h"
 #include "base/square.h"
 
 namespace insonify {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "image/palette.h"
+#include "image/colours.h"
 #include "image/plot.h"
 #include "image/scales.h"
 #include "insonify/channels.h"

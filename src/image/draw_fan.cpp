@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "image/beam_axis.h"
 #include "image/fan_frame.h"
+#include "image/fan_geometry.h"
 #include "image/fan_paint.h"
 #include "image/ping_table.h"
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "image/beam_axis.h"
-#include "image/palette.h"
+#include "image/colours.h"
+#include "image/fan_geometry.h"
 #include "image/ping_table.h"
 #include "image/plot.h"
 #include "image/scales.h"

@@ -1,11 +1,14 @@
-// fan_geometry.h -- converts between pixels of a fan picture and range and azimuth.
+// fan_geometry.h -- converts between pixels of a fan picture and range, azimuth and beam.
 
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "image/canvas.h"
+#include "insonify/sonar_config.h"
 
 namespace insonify {
 
@@ -63,6 +66,12 @@ struct FanGeometry {
   [[nodiscard]] Point point_at(double range, double azimuth) const;
 };
 
+/// First and last pixel of a row that the fan may touch; none if first > last.
+struct Columns {
+  int first = 0, last = -1;
+};
+[[nodiscard]] Columns columns_of_row(const FanShape& shape, const FanGeometry& geometry, int y, int width);
+
 /// A fan that fills its picture.
 struct BareFan {
   int width = 0, height = 0;  ///< [pixels]
@@ -72,5 +81,33 @@ struct BareFan {
 /// A fan of the given height; at most twice as wide, with room above and below if need be. One of up to 180 degrees
 /// whose middle points up is 2 height sin(aperture / 2) wide, its apex at the middle of the lower border.
 [[nodiscard]] BareFan bare_fan(const FanShape& shape, int height);
+
+/// Continuous beam coordinate of a sonar: b at the centre of beam b, linear between centres and out to the outer edges,
+/// which are at -0.5 and beam_count - 0.5. A gap between beams b and b + 1 is at b + 0.5.
+class BeamAxis {
+ public:
+  explicit BeamAxis(const SonarConfig& sonar);
+
+  [[nodiscard]] double port_edge() const { return knots_.front().azimuth; }      ///< [rad]
+  [[nodiscard]] double starboard_edge() const { return knots_.back().azimuth; }  ///< [rad]
+
+  /// Beam coordinate of an azimuth [rad], clamped to the outer edges.
+  [[nodiscard]] double beam_at(double azimuth) const {
+    const double step = (port_edge() - azimuth) * steps_per_radian_;
+    int i = first_[static_cast<int>(std::clamp(step, 0.0, last_step_))];
+    while (i + 2 < static_cast<int>(knots_.size()) && knots_[i + 1].azimuth > azimuth) {
+      ++i;
+    }
+    return std::clamp(knots_[i].beam + (knots_[i].azimuth - azimuth) * knots_[i].beams_per_radian, -0.5, last_);
+  }
+
+ private:
+  struct Knot {
+    double azimuth, beam, beams_per_radian;  // beams_per_radian is valid up to the next knot.
+  };
+  std::vector<Knot> knots_;  // The port edge, the beam centres, the edges of gaps and the starboard edge.
+  std::vector<int> first_;   // Index of the knot at or before each of many equal steps from the port edge.
+  double steps_per_radian_ = 0, last_step_ = 0, last_ = 0;
+};
 
 }  // namespace insonify

@@ -6,9 +6,8 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "image/colours.h"
 #include "image/fan_geometry.h"
-#include "image/palette.h"
-#include "image/tone.h"
 
 namespace insonify {
 
@@ -29,12 +28,6 @@ struct FanCells {
   }
   return std::clamp(inside + 0.5, 0.0, 1.0);
 }
-
-/// First and last pixel of a row that the fan may touch; none if first > last.
-struct Columns {
-  int first = 0, last = -1;
-};
-[[nodiscard]] Columns columns_of_row(const FanShape& shape, const FanGeometry& geometry, int y, int width);
 
 /// Paints the fan. Each pixel shows the mean of up to 4 x 4 samples; one sample where cells are larger than pixels.
 /// @param sample  double(double range, double azimuth): intensity there, NaN where there are no data.

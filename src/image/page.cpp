@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "image/palette.h"
+#include "image/colours.h"
 #include "image/scales.h"
 #include "insonify/printable.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "image/palette.h"
+#include "image/colours.h"
 #include "image/scales.h"
 
 namespace insonify {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "image/colours.h"
 #include "image/page.h"
-#include "image/tone.h"
 
 namespace insonify {
 

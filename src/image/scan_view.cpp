@@ -1,4 +1,5 @@
-// scan_view.cpp -- draws the pings of a scanning sonar around its head, and side by side.
+// scan_view.cpp -- draws the pings of a scanning sonar around its head, and side by side; chooses the picture of a
+// sonar.
 
 #include <fmt/format.h>
 
@@ -155,6 +156,28 @@ Picture ScanView::draw_polar(const Display& display) const {
     draw_plot_frame(picture, plot, axes, page);
   }
   return picture;
+}
+
+ProductView::ProductView(const SonarConfig& sonar) : sonar_(sonar) {
+  if (sonar.product() == Product::kLine) {
+    scan_.emplace(sonar);
+  }
+}
+
+void ProductView::add(const Ping& ping) {
+  if (scan_) {
+    scan_->add(ping);
+  } else {
+    last_ = ping;
+  }
+}
+
+double ProductView::fitting_full_scale() const {
+  return scan_ ? scan_->fitting_full_scale() : insonify::fitting_full_scale(intensities_to_fit(last_, sonar_));
+}
+
+Picture ProductView::draw(const Display& display) const {
+  return scan_ ? scan_->draw(display) : draw_fan(last_, sonar_, display);
 }
 
 }  // namespace insonify

@@ -2,6 +2,11 @@
 
 #include "simulator/echo_sources.h"
 
+#include <cmath>
+#include <span>
+
+#include "echo/batch/echo_source.h"
+#include "echo/model/hit.h"
 #include "echo/targets/corner_echoes.h"
 #include "echo/targets/edge_echoes.h"
 #include "echo/targets/interference.h"
@@ -9,10 +14,42 @@
 #include "echo/targets/point_ghosts.h"
 #include "echo/targets/thin_echoes.h"
 #include "echo/walks/random_walks.h"
-#include "simulator/thruster_paths.h"
+#include "insonify/thruster.h"
 
 namespace insonify {
 namespace {
+
+// Finds EchoList::thrusters, the positions of the vehicle's thrusters in the frame of a sonar's head: they make noise,
+// no echoes. Any surface in the way hides one.
+class ThrusterPaths final : public EchoSource {
+ public:
+  explicit ThrusterPaths(std::span<const Thruster> thrusters) : thrusters_(thrusters) {}
+
+  void ask(const PingView& view, Workers&, RayList& rays) override {
+    const Vec3 sonar = view.world_from_vehicle * view.vehicle_from_sonar.position;
+    for (const Thruster& thruster : thrusters_) {
+      const Vec3 there = view.world_from_vehicle * thruster.position - sonar;
+      const double range = there.norm();
+      rays.rays.push_back({sonar, there / range, 0, range - double{kRayClearance}});
+    }
+  }
+
+  void answer(const PingView& view, const RayAnswers& hits, Workers&, RayList&, EchoList& found) override {
+    if (hits.rays.empty()) {
+      return;
+    }
+    const Pose sonar_from_vehicle = view.vehicle_from_sonar.inverse();
+    for (std::size_t i = 0; i < thrusters_.size(); ++i) {
+      found.thrusters.emplace_back();
+      if (!std::isfinite(hits.rays[i].distance)) {
+        found.thrusters.back() = sonar_from_vehicle * thrusters_[i].position;
+      }
+    }
+  }
+
+ private:
+  std::span<const Thruster> thrusters_;
+};
 
 using Source = std::unique_ptr<EchoSource>;
 

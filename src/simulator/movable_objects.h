@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "echo/batch/placement.h"
+#include "echo/batch/ping_view.h"
 #include "insonify/scenario.h"
 #include "insonify/simulator.h"
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "echo/batch/placement.h"
+#include "echo/batch/ping_view.h"
 #include "echo/grid/echo.h"
 #include "insonify/scenario.h"
 #include "insonify/scene.h"

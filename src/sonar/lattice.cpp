@@ -2,14 +2,98 @@
 
 #include "sonar/lattice.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <vector>
 
-#include "sonar/column_arc.h"
+#include "insonify/array_pattern.h"
+#include "sonar/elevation_pattern.h"
 #include "sonar/fan_pattern.h"
 
 namespace insonify {
 namespace {
+
+// The arc of directions of one column, from its lower to its upper edge, divided into steps much smaller than a side
+// lobe.
+class ColumnArc {
+ public:
+  // Computes the arc of a column at a bearing [rad]. Where a cone does not reach the sector of the patterns, the arc
+  // has zero length and lies at the elevation nearest to it.
+  void set(BeamShape shape, double bearing, const ElevationPatterns& patterns);
+
+  // Edges of t, the angle along the arc (see Lattice) [rad].
+  [[nodiscard]] double low() const { return low_; }
+  [[nodiscard]] double high() const { return high_; }
+
+  // The t below which a share 0..1 of the rows lies; row density is proportional to the pattern's envelope.
+  [[nodiscard]] double at_share(double share) const;
+
+  // Solid angle below t per unit of Lattice::column_measure, weighted by the gain of transmission, of reception, and
+  // of both; unweighted with top hats.
+  [[nodiscard]] double sent_below(double t) const { return integral(sent_, t); }
+  [[nodiscard]] double received_below(double t) const { return integral(received_, t); }
+  [[nodiscard]] double both_below(double t) const { return integral(both_, t); }
+
+ private:
+  [[nodiscard]] double integral(const std::vector<double>& sums, double t) const;
+
+  double low_ = 0, high_ = 0;
+  std::vector<double> rows_, sent_, received_, both_;  // Cumulative integrals at the end of each step.
+};
+
+constexpr int kSteps = 2048;
+
+// Angle t along the arc of a cone of bearing a at which it reaches an elevation: sin(elevation) = cos a sin t. Where
+// the cone does not reach it, t is straight up or down.
+double arc_angle(double bearing, double elevation) {
+  return std::asin(std::clamp(std::sin(elevation) / std::cos(bearing), -1.0, 1.0));
+}
+
+void ColumnArc::set(BeamShape shape, double bearing, const ElevationPatterns& patterns) {
+  const bool wedge = shape == BeamShape::kWedge;
+  low_ = wedge ? patterns.low() : arc_angle(bearing, patterns.low());
+  high_ = wedge ? patterns.high() : arc_angle(bearing, patterns.high());
+  const double step = (high_ - low_) / kSteps, cos_bearing = std::cos(bearing);
+  for (std::vector<double>* sums : {&rows_, &sent_, &received_, &both_}) {
+    sums->assign(kSteps + 1, 0.0);
+  }
+  for (int i = 0; i < kSteps; ++i) {
+    const double t = low_ + (i + 0.5) * step;
+    const double angle = step * (wedge ? std::cos(t) : 1);  // d(solid angle) = cos t da dt, or d(sin a) dt.
+    double sent = 1, received = 1, density = 1;
+    if (!patterns.is_top_hat()) {
+      const double elevation = wedge ? t : std::asin(cos_bearing * std::sin(t));
+      received = gain_at(patterns.received(), elevation);
+      sent = patterns.differ() ? gain_at(patterns.sent(), elevation) : received;
+      density = patterns.envelope(elevation);
+    }
+    rows_[i + 1] = rows_[i] + step * density;
+    sent_[i + 1] = sent_[i] + angle * sent;
+    received_[i + 1] = received_[i] + angle * received;
+    both_[i + 1] = both_[i] + angle * sent * received;
+  }
+}
+
+double ColumnArc::at_share(double share) const {
+  const double wanted = share * rows_.back();
+  const auto above = std::ranges::upper_bound(rows_, wanted);
+  if (above == rows_.end()) {
+    return high_;
+  }
+  const auto end = static_cast<double>(above - rows_.begin());
+  const double within = (wanted - *(above - 1)) / (*above - *(above - 1));
+  return low_ + (end - 1 + within) / kSteps * (high_ - low_);
+}
+
+double ColumnArc::integral(const std::vector<double>& sums, double t) const {
+  if (!(high_ > low_)) {
+    return 0;
+  }
+  const double at = std::clamp((t - low_) / (high_ - low_) * kSteps, 0.0, static_cast<double>(kSteps));
+  const int below = std::min(static_cast<int>(at), kSteps - 1);
+  return std::lerp(sums[below], sums[below + 1], at - below);
+}
 
 // Step between the stagger phases of neighbouring columns. A stride near the golden section of the number of phases,
 // and coprime to it, visits every phase once and makes successive phases differ much.

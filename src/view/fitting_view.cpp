@@ -7,7 +7,7 @@
 
 #include "insonify/scene_view.h"
 #include "view/camera.h"
-#include "view/insonified_sector.h"
+#include "view/drawn_sonar.h"
 #include "view/view_subject.h"
 
 namespace insonify {

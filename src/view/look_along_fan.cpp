@@ -8,7 +8,7 @@
 #include "insonify/acoustics/absorption.h"
 #include "insonify/error.h"
 #include "insonify/scene_view.h"
-#include "view/insonified_sector.h"
+#include "view/drawn_sonar.h"
 
 namespace insonify {
 

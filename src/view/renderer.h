@@ -9,8 +9,7 @@
 #include "echo/engine.h"
 #include "image/canvas.h"
 #include "view/camera.h"
-#include "view/housing.h"
-#include "view/insonified_sector.h"
+#include "view/drawn_sonar.h"
 
 namespace insonify {
 

@@ -7,7 +7,7 @@
 
 #include "echo/engine.h"
 #include "insonify/scene.h"
-#include "view/insonified_sector.h"
+#include "view/drawn_sonar.h"
 
 namespace insonify {
 

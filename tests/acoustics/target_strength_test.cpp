@@ -9,7 +9,7 @@
 #include <complex>
 #include <numbers>
 
-#include "acoustics/fresnel.h"
+#include "acoustics/diffraction.h"
 #include "insonify/acoustics/backscatter.h"
 #include "support/message_of.h"
 #include "support/relative.h"

@@ -1,12 +1,12 @@
 // wedge_test.cpp -- the echo of edges against the exact series of wedges, and in the limits of thin plates.
 
-#include "acoustics/wedge.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <complex>
 #include <numbers>
+
+#include "acoustics/diffraction.h"
 
 namespace insonify::wedge_test {
 namespace {

@@ -293,7 +293,7 @@ constexpr Refusal kRefusals[] = {
     {"Constant", "a.png flat.png", "flat.png: every value is 0.2; there is nothing to compare in a constant picture"},
     {"Coloured", "colour.png a.png",
      "colour.png: the pixel in column 0, row 0 is coloured; a comparison needs a grey picture"},
-    {"OfUnknownKind", "a.png a.bmp", "a.bmp: is neither a recording (.h5, .hdf5, .mcap) nor a picture (.png)"},
+    {"OfUnknownKind", "a.png a.bmp", "a.bmp: is neither a recording (.h5, .mcap) nor a picture (.png)"},
     {"AboveFullScale", "a.h5 loud.h5",
      "loud.h5 ping 1: an intensity is 1.2; it must be from 0 to full scale, 1 (--full-scale)"},
     {"ConstantPing", "a.h5 silent.h5",

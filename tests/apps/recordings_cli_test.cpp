@@ -80,7 +80,7 @@ TEST_F(RecordingsCliTest, AMissingPartOfTheWorldIsAnErrorWithStrict) {
 TEST_F(RecordingsCliTest, RecordNamesItsChoices) {
   const Outcome outcome = shell("insonify run fan.yaml -o out --record bag");
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_EQ(outcome.err, "insonify: --record: bag must be h5 or mcap or h5,mcap or mcap,h5 (insonify run --help)\n");
+  EXPECT_EQ(outcome.err, "insonify: --record: bag must be h5 or mcap, or several with commas (insonify run --help)\n");
 }
 
 TEST_F(RecordingsCliTest, AnEarlierMcapIsReplacedOnlyWithForce) {
@@ -320,8 +320,7 @@ TEST_F(RecordingsCliTest, ARunOnAFullDiskLeavesAFileThatSaysSo) {
 TEST_F(RecordingsCliTest, CompressHasNoEffectOnMcapAlone) {
   const Outcome outcome = shell("insonify run fan.yaml -o out -q --no-pictures --record mcap --compress");
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_EQ(outcome.err,
-            "insonify: --compress has no effect on --record mcap, only on h5: MCAP is compressed anyway\n");
+  EXPECT_EQ(outcome.err, "insonify: --compress has no effect on --record mcap, only on h5\n");
   EXPECT_EQ(shell("insonify run fan.yaml -o out -q --no-pictures --record h5,mcap --compress").status, 0);
 }
 

@@ -40,7 +40,7 @@ READ = {
 
 def told():
     """Hashes by type, of the bridge's source."""
-    source = (ROOT / "apps/bridges/dds/type_hash.cpp").read_text()
+    source = (ROOT / "apps/bridges/dds/dds_names.cpp").read_text()
     return {f"{package}/msg/{name}": value
             for package, name, value in re.findall(r'"(\w+)::msg::dds_::(\w+)_",\s*"(RIHS01_\w+)"', source)}
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "image/colours.h"
 #include "image/fan_frame.h"
 #include "image/fan_geometry.h"
-#include "image/palette.h"
 #include "insonify/error.h"
 #include "insonify/picture.h"
 #include "support/message_of.h"

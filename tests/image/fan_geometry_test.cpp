@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "image/beam_axis.h"
-
 namespace insonify::fan_geometry_test {
 namespace {
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "image/colours.h"
 #include "image/fan_frame.h"
-#include "image/palette.h"
 #include "image/plot.h"
 #include "image/scales.h"
 #include "insonify/picture.h"

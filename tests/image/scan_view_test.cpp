@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "image/colours.h"
 #include "image/fan_geometry.h"
-#include "image/palette.h"
 #include "image/scan_slots.h"
 #include "insonify/error.h"
 #include "insonify/picture.h"

@@ -14,14 +14,18 @@ namespace {
 TEST(RecordingFormatsTest, AreFoundByTheEndingOfAFile) {
   for (const RecordingFormat& format : recording_formats()) {
     EXPECT_EQ(recording_format("out/fls" + format.ending()), &format);
-    EXPECT_TRUE(is_recording("fls" + format.ending()));
+    EXPECT_EQ(is_recording("fls" + format.ending()), format.readable);
   }
+  EXPECT_EQ(recording_format("FLS.MCAP"), recording_format("fls.mcap"));
   EXPECT_TRUE(is_recording("fls.hdf5"));
+  EXPECT_TRUE(is_recording("FLS.HDF5"));
   for (const char* other : {"fls", "fls.h5.yaml", "fls.bag", ".h5x"}) {
     EXPECT_EQ(recording_format(other), nullptr);
     EXPECT_FALSE(is_recording(other));
   }
   EXPECT_EQ(recording_names(".", " or "), ".h5 or .mcap");
+  EXPECT_EQ(recording_names("", ", ", &RecordingFormat::holds_all), "mcap");
+  EXPECT_EQ(readable_recordings(), ".h5, .mcap");
 }
 
 // Two pings of a sonar in empty water with noise, read back; of formats that hold all sonars also two in one file.

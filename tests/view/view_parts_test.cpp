@@ -5,8 +5,7 @@
 #include <cmath>
 
 #include "view/camera.h"
-#include "view/housing.h"
-#include "view/insonified_sector.h"
+#include "view/drawn_sonar.h"
 #include "view/underwater_light.h"
 
 namespace insonify::view_parts_test {

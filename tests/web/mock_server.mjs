@@ -72,7 +72,7 @@ export class MockServer {
 
   hello() {
     return {
-      op: "hello", version: "0.0.0", scenario_name: "mock", recording: this.recording, sonars: this.sonars, objects: [kHostile, "wall", "bed"], materials: ["steel", "concrete", "sand"],
+      op: "hello", version: "0.0.0", scenario_name: "mock", record_formats: [["h5", "HDF5"], ["mcap", "MCAP"]], recording: this.recording, sonars: this.sonars, objects: [kHostile, "wall", "bed"], materials: ["steel", "concrete", "sand"],
       object_materials: this.materials, trajectory: [[-8, 0, 0], [0, 0, 0], [8, 2, 0]], keys: this.keys,
     };
   }

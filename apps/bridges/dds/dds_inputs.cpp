@@ -10,7 +10,6 @@
 
 #include "console/console.h"
 #include "dds/dds_names.h"
-#include "dds/type_hash.h"
 #include "insonify/error.h"
 #include "insonify/printable.h"
 #include "transport/bridge.h"

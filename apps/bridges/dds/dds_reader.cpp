@@ -3,7 +3,6 @@
 #include "dds/dds_reader.h"
 
 #include "dds/dds_names.h"
-#include "dds/type_hash.h"
 
 namespace insonify {
 

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "dds/dds_names.h"
-#include "dds/type_hash.h"
 
 namespace insonify {
 namespace {

@@ -1,4 +1,4 @@
-// raw_type.cpp -- CycloneDDS's type operations for messages that are already encoded.
+// raw_type.cpp -- CycloneDDS's type operations for messages that are already encoded; a leaky bucket for the pace.
 
 #include "dds/raw_type.h"
 
@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <thread>
 
 namespace insonify {
 namespace {
@@ -137,6 +138,23 @@ RawTopic::RawTopic(dds_entity_t participant, const std::string& name, const std:
   }
   topic_ = DdsEntity(topic, fmt::format("make the topic {} of type {}", name, type));
   type_ = used;
+}
+
+void SendPace::wait(std::size_t size) {
+  const auto drain = [this] {
+    const Clock::time_point now = Clock::now();
+    const double passed = std::chrono::duration<double>(now - at_).count();
+    pending_ = std::max(0.0, pending_ - passed * rate_);
+    at_ = now;
+  };
+  drain();
+  const auto bytes = static_cast<double>(size);
+  const double excess = std::min(pending_, pending_ + bytes - kBurst);  // A single fragment may exceed a burst.
+  if (excess > 0) {
+    std::this_thread::sleep_for(std::chrono::duration<double>(excess / rate_));
+    drain();
+  }
+  pending_ += bytes;
 }
 
 dds_return_t write_raw(dds_entity_t writer, const RawTopic& topic, std::span<const std::byte> message, SendPace& pace) {

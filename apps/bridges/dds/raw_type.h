@@ -1,14 +1,14 @@
-// raw_type.h -- DDS topics whose messages are already encoded.
+// raw_type.h -- DDS topics whose messages are already encoded, and the pace at which their fragments are sent.
 
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "dds/dds_entity.h"
-#include "dds/send_pace.h"
 
 struct ddsi_serdata;
 struct ddsi_sertype;
@@ -28,6 +28,29 @@ class RawTopic {
  private:
   const ddsi_sertype* type_ = nullptr;  // Owned by the topic.
   DdsEntity topic_;
+};
+
+/// Limits how fast fragments are sent: kBurst bytes at once, then at kRate. A Linux socket buffers some 200 kB by
+/// default (net.core.rmem_default) and drops what arrives while it is full. A best-effort reader loses a whole message
+/// with one fragment.
+class SendPace {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  static constexpr double kBurst = 130'000;  ///< Two fragments [byte].
+  static constexpr double kRate = 100e6;     ///< [byte/s], about that of an Ethernet of 1 Gbit/s.
+
+  /// @param rate  [byte/s], > 0.
+  explicit SendPace(double rate = kRate) : rate_(rate) {}
+
+  /// Waits until a fragment may be sent, and counts it.
+  /// @param size  [byte]
+  void wait(std::size_t size);
+
+ private:
+  double rate_;
+  double pending_ = 0;                   // Bytes that readers may not have read yet ...
+  Clock::time_point at_ = Clock::now();  // ... at this time.
 };
 
 /// Sends a message to all readers.

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "gazebo/environment.h"
 #include "gazebo/gazebo_names.h"
 #include "insonify/error.h"
 #include "insonify/printable.h"

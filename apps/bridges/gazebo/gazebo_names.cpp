@@ -1,6 +1,8 @@
-// gazebo_names.cpp -- names of types and services in Gazebo Fortress and later.
+// gazebo_names.cpp -- names of types, services and environment variables in Gazebo Fortress and later.
 
 #include "gazebo/gazebo_names.h"
+
+#include <cstdlib>
 
 namespace insonify {
 
@@ -17,6 +19,21 @@ std::optional<std::string> world_of_service(std::string_view service) {
   service.remove_prefix(kBefore.size());
   service.remove_suffix(kAfter.size());
   return std::string(service);
+}
+
+void copy_gz_environment() {
+  constexpr const char* kNames[] = {
+      "PARTITION", "IP", "RELAY", "DISCOVERY_MULTICAST_IP", "DISCOVERY_MSG_PORT", "VERBOSE", "DISCOVERY_SRV_PORT"};
+  for (const std::string name : kNames) {
+    if (const char* value = std::getenv(("GZ_" + name).c_str())) {
+      setenv(("IGN_" + name).c_str(), value, 0);
+    }
+  }
+}
+
+std::string gazebo_partition() {
+  const char* partition = std::getenv("IGN_PARTITION");
+  return partition == nullptr ? "" : partition;
 }
 
 }  // namespace insonify

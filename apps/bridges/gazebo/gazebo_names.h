@@ -1,4 +1,4 @@
-// gazebo_names.h -- names of types and services in Gazebo Fortress and later.
+// gazebo_names.h -- names of types, services and environment variables in Gazebo Fortress and later.
 
 #pragma once
 
@@ -27,5 +27,12 @@ struct WorldTopics {
   std::string poses,
       dynamic_poses;  ///< Pose_V, each pose in its parent's frame; dynamic: of entities that are not static.
 };
+
+/// Makes the transport honour the variables of newer Gazebo releases: GZ_PARTITION etc. where IGN_PARTITION etc. is not
+/// set. To be called before the first node is made.
+void copy_gz_environment();
+
+/// The partition of the nodes; "": the default one.
+[[nodiscard]] std::string gazebo_partition();
 
 }  // namespace insonify

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "about/about.h"
+#include "console/commands.h"
 #include "console/console.h"
 #include "console/outcome.h"
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "about/about.h"
+#include "console/commands.h"
 #include "console/console.h"
 #include "console/outcome.h"
 #include "insonify/files.h"

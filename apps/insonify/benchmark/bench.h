@@ -6,7 +6,6 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
-#include "console/command.h"
 #include "insonify/sonar_config.h"
 
 namespace insonify {
@@ -56,8 +55,5 @@ struct SamplingBenchOptions {
 
 /// insonify bench sampling: prints the sampling error of pings beside their computing times.
 int bench_sampling(const SamplingBenchOptions& options);
-
-/// Adds the command, and below it one for each benchmark.
-void add_bench(const Command& program);
 
 }  // namespace insonify

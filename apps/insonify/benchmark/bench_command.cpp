@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "benchmark/bench.h"
+#include "console/commands.h"
 
 namespace insonify {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "benchmark/bench.h"
-#include "benchmark/bench_paper_scene.h"
+#include "benchmark/bench_scene.h"
 #include "benchmark/bench_timing.h"
 #include "console/console.h"
 #include "insonify/simulator.h"

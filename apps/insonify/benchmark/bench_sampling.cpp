@@ -4,14 +4,15 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "benchmark/bench.h"
 #include "benchmark/bench_scene.h"
 #include "benchmark/bench_timing.h"
-#include "benchmark/sampling_error.h"
 #include "console/console.h"
 #include "insonify/error.h"
 #include "insonify/files.h"
@@ -20,6 +21,61 @@
 
 namespace insonify {
 namespace {
+
+// Sampling error of one or more images, without noise and speckle. Levels are compared where either image is within
+// `range_db` of the loudest cell of the converged one; what is lower reads as that level, as in a picture that ends
+// there.
+class SamplingError {
+ public:
+  // @param range_db  [dB], > 0.
+  explicit SamplingError(double range_db) : range_db_(range_db) {}
+
+  // Adds one image. Nothing is added where the converged one is zero everywhere.
+  // @param full_scale  The level that `range_db` is counted from; as a rule the largest value of the converged ping.
+  void add(std::span<const float> image, std::span<const float> converged, float full_scale) {
+    constexpr double kSpot = 6;  // [dB]
+    if (!(full_scale > 0)) {
+      return;
+    }
+    const double floor = double{full_scale} * std::pow(10, -range_db_ / 10);
+    for (std::size_t i = 0; i < image.size(); ++i) {
+      const double here = image[i], there = converged[i];
+      sum_ += here;
+      converged_sum_ += there;
+      if (std::max(here, there) < floor) {
+        continue;
+      }
+      const double difference = 10 * std::log10(std::max(here, floor) / std::max(there, floor));
+      squares_ += difference * difference;
+      ++cells_;
+      spots_ += difference > kSpot ? 1 : 0;
+      holes_ += difference < -kSpot ? 1 : 0;
+    }
+  }
+
+  // Root of the mean squared difference of levels [dB]; 0 without cells.
+  [[nodiscard]] double rms_db() const { return cells_ > 0 ? std::sqrt(squares_ / static_cast<double>(cells_)) : 0; }
+
+  // Share of the cells that are more than 6 dB too loud.
+  [[nodiscard]] double spots() const {
+    return cells_ > 0 ? static_cast<double>(spots_) / static_cast<double>(cells_) : 0;
+  }
+
+  // Share of the cells that are more than 6 dB too faint.
+  [[nodiscard]] double holes() const {
+    return cells_ > 0 ? static_cast<double>(holes_) / static_cast<double>(cells_) : 0;
+  }
+
+  // Sum of the images re the sum of the converged ones [dB]; 0 without cells.
+  [[nodiscard]] double level_db() const {
+    return sum_ > 0 && converged_sum_ > 0 ? 10 * std::log10(sum_ / converged_sum_) : 0;
+  }
+
+ private:
+  double range_db_;
+  double squares_ = 0, sum_ = 0, converged_sum_ = 0;
+  long long cells_ = 0, spots_ = 0, holes_ = 0;
+};
 
 constexpr double kPictureRange = 60;  // Range of levels that is compared [dB].
 

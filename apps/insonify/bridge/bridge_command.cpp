@@ -1,7 +1,5 @@
 // bridge_command.cpp -- insonify bridge: finds the program of a bridge and becomes it.
 
-#include "bridge/bridge_command.h"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -9,8 +7,10 @@
 #include <filesystem>
 #include <system_error>
 
+#include "console/commands.h"
 #include "console/console.h"
 #include "console/outcome.h"
+#include "transport/bridge_options.h"
 
 namespace insonify {
 namespace {

@@ -1,7 +1,5 @@
 // compare.cpp -- insonify compare: similarity of two recordings or two pictures.
 
-#include "compare/compare.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +8,9 @@
 
 #include "compare/compare_source.h"
 #include "compare/comparison.h"
+#include "console/commands.h"
 #include "console/outcome.h"
+#include "insonify/recording_formats.h"
 
 namespace insonify {
 namespace {
@@ -188,9 +188,11 @@ Comparison compared(const CompareOptions& options) {
 void add_compare(const Command& program) {
   const Command command = program.add("compare", "Compare two recordings or two grey pictures");
   auto& options = command.keep<CompareOptions>();
-  command.argument("A", &options.a, "Recording (.h5, .mcap), folder of recordings, or grey picture (.png)");
+  command.argument("A", &options.a,
+                   fmt::format("Recording ({}), folder of recordings, or grey picture (.png)", readable_recordings()));
   command.argument("B", &options.b, "The same, of the same shape, compared with A");
-  command.option("--sonar", "NAME", &options.sonar, "Which recording of a folder, or which sonar of an .mcap file");
+  command.option("--sonar", "NAME", &options.sonar,
+                 "Which recording of a folder, or which sonar of a recording that has several");
   command.option("--ping", "N", &options.pings, "Ping to compare, from 0; may be repeated [all that both have]",
                  whole_number(0, std::numeric_limits<std::uint64_t>::max()));
   command.option("--full-scale", "X", &options.full_scale,

@@ -19,7 +19,7 @@ std::filesystem::path find_recording(const std::filesystem::path& folder, const 
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const RecordingFormat* const format = recording_format(entry.path());
     std::filesystem::path& best = found[entry.path().stem().string()];
-    if (format != nullptr && (best.empty() || format < recording_format(best))) {
+    if (format != nullptr && format->readable && (best.empty() || format < recording_format(best))) {
       best = entry.path();
     }
   }
@@ -30,7 +30,7 @@ std::filesystem::path find_recording(const std::filesystem::path& folder, const 
   }
   if (names.empty()) {
     throw Error(
-        fmt::format("{}: there is not a recording ({}) in this folder", folder.string(), recording_names(".", ", ")));
+        fmt::format("{}: there is not a recording ({}) in this folder", folder.string(), readable_recordings()));
   }
   const std::string wanted = sonar.empty() && names.size() == 1 ? names.front() : sonar;
   if (wanted.empty()) {
@@ -61,7 +61,7 @@ CompareSource::CompareSource(std::filesystem::path path, const std::string& sona
   } else if (insonify::is_recording(path_)) {
     recording_.emplace(path_, sonar);
   } else {
-    throw Error(fmt::format("{}: is neither a recording (.h5, .hdf5, .mcap) nor a picture (.png)", name()));
+    throw Error(fmt::format("{}: is neither a recording ({}) nor a picture (.png)", name(), readable_recordings()));
   }
 }
 

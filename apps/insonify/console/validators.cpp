@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <sstream>
 
 namespace insonify {
 namespace {
@@ -44,6 +45,18 @@ Check one_of(std::vector<std::string> words) {
   const auto fault = [words](const std::string& text) {
     return std::ranges::find(words, text) != words.end() ? std::string()
                                                          : fmt::format("{} must be {}", text, fmt::join(words, " or "));
+  };
+  return {fault, std::move(words)};
+}
+
+Check some_of(std::vector<std::string> words) {
+  const auto fault = [words](const std::string& text) {
+    std::istringstream parts(text);
+    bool good = !text.empty() && text.back() != ',';
+    for (std::string part; good && std::getline(parts, part, ',');) {
+      good = std::ranges::find(words, part) != words.end();
+    }
+    return good ? std::string() : fmt::format("{} must be {}, or several with commas", text, fmt::join(words, " or "));
   };
   return {fault, std::move(words)};
 }

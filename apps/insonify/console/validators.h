@@ -23,6 +23,8 @@ struct Check {
 [[nodiscard]] Check whole_number(std::uint64_t least, std::uint64_t most);
 [[nodiscard]] Check number_within(const Limits& limits);
 [[nodiscard]] Check one_of(std::vector<std::string> words);
+/// One or more of them, with commas between.
+[[nodiscard]] Check some_of(std::vector<std::string> words);
 
 /// A folder that is there.
 [[nodiscard]] Check existing_folder();

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "console/commands.h"
 #include "console/console.h"
 #include "console/outcome.h"
 #include "console/stop.h"

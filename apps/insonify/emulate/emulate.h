@@ -6,8 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "console/command.h"
-
 namespace insonify {
 
 struct EmulateOptions {
@@ -21,8 +19,5 @@ struct EmulateOptions {
   std::vector<std::string> settings;  ///< "key=value", in order.
   bool quiet = false;                 ///< Print only addresses, warnings and errors.
 };
-
-/// Adds the command, and below it one for each instrument. They run until SIGINT or SIGTERM.
-void add_emulate(const Command& program);
 
 }  // namespace insonify

@@ -12,8 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "emulate/event_loop.h"
-#include "emulate/listen_address.h"
+#include "emulate/listening.h"
 #include "emulate/oculus_client.h"
 #include "emulate/oculus_pings.h"
 #include "transport/transport_report.h"

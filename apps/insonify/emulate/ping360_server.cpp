@@ -4,7 +4,7 @@
 
 #include "console/console.h"
 #include "console/outcome.h"
-#include "emulate/listen_address.h"
+#include "emulate/listening.h"
 
 namespace insonify {
 

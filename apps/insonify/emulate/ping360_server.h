@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "emulate/emulated_sonar.h"
-#include "emulate/event_loop.h"
+#include "emulate/listening.h"
 #include "emulate/serial_line.h"
 #include "insonify/wire/ping360_sonar.h"
 #include "transport/transport_report.h"

@@ -1,6 +1,6 @@
 // export.cpp -- insonify export: writes recordings in the formats of other tools.
 
-#include "export/export.h"
+#include "insonify/export.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,10 +9,11 @@
 #include <cctype>
 #include <map>
 
+#include "console/commands.h"
 #include "console/console.h"
 #include "console/outcome.h"
 #include "console/stop.h"
-#include "insonify/export.h"
+#include "insonify/recording_formats.h"
 #include "insonify/recording_info.h"
 #include "pictures/picture_options.h"
 
@@ -100,7 +101,7 @@ void add_export(const Command& program) {
   const Command command = program.add("export", "Write recordings in a format that other tools read");
   auto& options = command.keep<ExportCommand>();
   auto& bits = command.keep<std::string>();
-  command.argument("RECORDING", &options.recordings, "Recordings (.h5, .mcap) of one run");
+  command.argument("RECORDING", &options.recordings, fmt::format("Recordings ({}) of one run", readable_recordings()));
   command.option("-o,--output", "FILE", &options.file, "File to write; its extension is the format",
                  not_empty("a file, such as run.mcap"));
   command.require("--output");

@@ -1,14 +1,14 @@
 // info.cpp -- insonify info: describes recordings.
 
-#include "info/info.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 
+#include "console/commands.h"
 #include "console/console.h"
 #include "console/outcome.h"
+#include "insonify/recording_formats.h"
 #include "insonify/recording_info.h"
 #include "insonify/words.h"
 
@@ -123,7 +123,8 @@ int info(const InfoOptions& options) {
 void add_info(const Command& program) {
   const Command command = program.add("info", "Describe recordings");
   auto& options = command.keep<InfoOptions>();
-  command.argument("RECORDING", &options.recordings, "Recordings (.h5, .mcap), also unfinished ones (.new)");
+  command.argument("RECORDING", &options.recordings,
+                   fmt::format("Recordings ({}), also unfinished ones (.new)", readable_recordings()));
   command.flag("--json", &options.json, "As JSON, a list with an object for each");
   command.footer(
       "Examples:\n"

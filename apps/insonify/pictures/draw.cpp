@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <limits>
 
+#include "console/commands.h"
 #include "console/console.h"
 #include "console/outcome.h"
 #include "insonify/recorded_pings.h"
+#include "insonify/recording_formats.h"
 #include "insonify/recording_info.h"
 #include "pictures/output_folder.h"
 #include "pictures/pictures.h"
@@ -126,7 +128,8 @@ void add_draw_options(const Command& command, DrawOptions& options) {
 void add_draw(const Command& program) {
   const Command command = program.add("draw", "Draw pictures of a recording's pings");
   auto& options = command.keep<DrawOptions>();
-  command.argument("RECORDING", &options.recording, "Recording (.h5, .mcap) that insonify run or export has made");
+  command.argument("RECORDING", &options.recording,
+                   fmt::format("Recording ({}) that insonify run or export has made", readable_recordings()));
   command.option("--sonar", "NAME", &options.sonar, "Which sonar of a recording that has several");
   add_draw_options(command, options);
   command.footer(

@@ -23,8 +23,7 @@ struct DrawOptions {
 /// @return  kDone. @throws InputError for wrong input, Error for a failure while running
 int draw(const DrawOptions& options);
 
-/// Adds the command, and the options that `insonify replay` has too.
-void add_draw(const Command& program);
+/// Adds the options that `insonify draw` and `insonify replay` have in common.
 void add_draw_options(const Command& command, DrawOptions& options);
 
 }  // namespace insonify

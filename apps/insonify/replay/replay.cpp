@@ -1,13 +1,13 @@
 // replay.cpp -- insonify replay: shows the recordings of a run in the viewer, or draws one.
 
-#include "replay/replay.h"
-
 #include <fmt/format.h>
 
 #include <memory>
 
+#include "console/commands.h"
 #include "console/console.h"
 #include "console/outcome.h"
+#include "insonify/recording_formats.h"
 #include "insonify/words.h"
 #include "pictures/draw.h"
 #include "replay/recording_player.h"
@@ -75,7 +75,8 @@ void add_replay(const Command& program) {
   auto& drawn = command.keep<DrawOptions>();
   auto& in_viewer = command.keep<bool>();
   command.argument("RECORDING", &options.run.files,
-                   "Recording (.h5, .mcap) that insonify run or export has made; with --view several of one run");
+                   fmt::format("Recording ({}) that insonify run or export has made; with --view several of one run",
+                               readable_recordings()));
   command.option("--sonar", "NAME", &options.run.sonar, "Which sonar of a recording that has several");
   command.flag("--view", &in_viewer, "Show the pings in a browser, in their own time; else draw pictures");
   std::vector<std::string> before = command.options();

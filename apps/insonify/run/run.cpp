@@ -17,7 +17,6 @@
 #include "run/ping_schedule.h"
 #include "run/progress.h"
 #include "run/tracks.h"
-#include "run/views.h"
 #include "run/world_report.h"
 
 namespace insonify {
@@ -93,13 +92,22 @@ RecordOptions record_options(const RunOptions& options, const PictureStyle& styl
 
 // Refuses options that do nothing for the recordings that were asked for.
 void check_effects(const RunOptions& options) {
-  if (options.compress &&
-      std::ranges::none_of(options.record, [](const auto* format) { return format->name == "h5"; })) {
-    throw InputError("--compress has no effect on --record mcap, only on h5: MCAP is compressed anyway");
+  const auto check = [&](const std::string& option, bool RecordingFormat::*takes) {
+    std::vector<std::string_view> names;
+    for (const RecordingFormat* format : options.record) {
+      if (format->*takes) {
+        return;
+      }
+      names.push_back(format->name);
+    }
+    throw InputError(fmt::format("{} has no effect on --record {}, only on {}", option, fmt::join(names, ","),
+                                 recording_names("", ", ", takes)));
+  };
+  if (options.compress) {
+    check("--compress", &RecordingFormat::can_compress);
   }
-  if (const std::vector<std::string> given = options.messages.given();
-      !given.empty() && std::ranges::none_of(options.record, [](const auto* format) { return format->has_messages; })) {
-    throw InputError(given.front() + " has no effect on --record h5, only on mcap");
+  if (const std::vector<std::string> given = options.messages.given(); !given.empty()) {
+    check(given.front(), &RecordingFormat::has_messages);
   }
 }
 

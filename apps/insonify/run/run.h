@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "console/command.h"
 #include "insonify/recording_formats.h"
 #include "pictures/picture_options.h"
 
@@ -39,8 +38,5 @@ struct RunOptions {
 
 /// @return  kDone. @throws InputError for wrong input, Error for a failure while running
 int run(const RunOptions& options);
-
-/// Adds the command.
-void add_run(const Command& program);
 
 }  // namespace insonify

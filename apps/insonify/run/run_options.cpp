@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "console/commands.h"
 #include "insonify/engine.h"
 #include "run/run.h"
 
@@ -21,20 +22,22 @@ struct RunLine {
   bool strict = false, no_pictures = false, no_view = false;
 };
 
-// All that may be asked for: each format by itself, and two in either order.
 std::vector<std::string> record_choices() {
   std::vector<std::string> choices;
   for (const RecordingFormat& format : recording_formats()) {
     choices.emplace_back(format.name);
   }
-  for (const RecordingFormat& first : recording_formats()) {
-    for (const RecordingFormat& second : recording_formats()) {
-      if (first.name != second.name) {
-        choices.push_back(std::string(first.name) + "," + std::string(second.name));
-      }
-    }
-  }
   return choices;
+}
+
+// The files of the formats, as the help lists them.
+std::string recordings_text() {
+  std::string text;
+  for (const RecordingFormat& format : recording_formats()) {
+    text += fmt::format("  {:<24} {}{}\n", "DIR/NAME" + format.ending(),
+                        text.empty() ? "" : fmt::format("with --record {}, ", format.name), format.contents);
+  }
+  return text;
 }
 
 std::vector<std::string> engines() {
@@ -67,7 +70,9 @@ void add_input_options(const Command& command, RunLine& line) {
 void add_output_options(const Command& command, RunLine& line) {
   RunOptions& options = line.run;
   command.option("--record", "KIND", &line.record,
-                 "Recordings to make: h5, mcap (ROS 2 messages) or both: h5,mcap [h5]", one_of(record_choices()));
+                 fmt::format("Recordings to make: {}, or several with commas: {} [{}]", recording_names("", ", "),
+                             recording_names("", ","), line.record),
+                 some_of(record_choices()));
   add_message_choice(command, options.messages, "in mcap recordings", "[1970]");
   command.flag("--compress", &options.compress,
                "Compress h5 recordings by HDF5's own filters: less than half the size, some time per ping");
@@ -130,9 +135,7 @@ void add_run(const Command& program) {
   add_input_options(command, line);
   add_output_options(command, line);
   command.footer(
-      "Writes, for each sonar NAME:\n"
-      "  DIR/NAME.h5              the recording (HDF5): intensity [ping, bin, beam] and ground truth\n"
-      "  DIR/NAME.mcap            with --record mcap, ROS 2 messages: sonar image, fan, points, pose, scenario\n"
+      "Writes, for each sonar NAME:\n" + recordings_text() +
       "  DIR/NAME_fan_0000.png    each ping as seen from above; NAME_polar_0000.png as a table\n"
       "  DIR/NAME_scan_0000.png   what a scanning sonar has seen up to a ping, instead\n"
       "  DIR/NAME_scan.png        the same at the end; NAME_polar.png its waterfall\n"

@@ -1,4 +1,4 @@
-// tracks.h -- state of each sonar in a run: its recordings and pictures, and final messages.
+// tracks.h -- state of each sonar in a run: its recordings and pictures, views of the scene, and final messages.
 
 #pragma once
 
@@ -7,8 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "insonify/picture.h"
 #include "insonify/scenario_requests.h"
 #include "insonify/simulator.h"
+#include "pictures/output_folder.h"
 #include "pictures/pictures.h"
 #include "run/hints.h"
 #include "run/run.h"
@@ -57,5 +59,18 @@ void print_track(const Track& track, const SonarConfig& sonar);
 
 /// Paths of pictures in one line: all of two, the first and the last of more.
 [[nodiscard]] std::string listed(const std::vector<std::filesystem::path>& files);
+
+struct View {
+  std::string file;
+  Picture picture;
+};
+
+/// Draws the requested pictures of each sonar NAME: the camera view, NAME_view.png, and NAME_channels.png. Writes
+/// nothing yet.
+[[nodiscard]] std::vector<View> draw_views(Simulator& simulator, const ScenarioRequests& requests,
+                                           const RunOptions& options, const Display& display);
+
+/// @return  The files, in order.
+std::vector<std::filesystem::path> write_views(const std::vector<View>& views, PictureFolder& folder);
 
 }  // namespace insonify

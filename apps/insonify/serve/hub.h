@@ -115,4 +115,10 @@ class Hub : public LiveListener {
   ServerCounts counts_;
 };
 
+inline constexpr std::string_view kViewerProtocol = "insonify.viewer.v1";  ///< docs/design/viewer.md
+
+/// The connection to one page.
+/// @param hub  Must outlive the client.
+[[nodiscard]] std::unique_ptr<Client> make_viewer_client(Connection& connection, Hub& hub);
+
 }  // namespace insonify

@@ -20,7 +20,6 @@
 #include "serve/foxglove_feed.h"
 #include "serve/hub.h"
 #include "serve/page_files.h"
-#include "serve/viewer_client.h"
 
 namespace insonify {
 namespace {

@@ -1,10 +1,9 @@
 // serve.cpp -- insonify serve: serves a live loop.
 
-#include "serve/serve.h"
-
 #include <chrono>
 #include <future>
 
+#include "console/commands.h"
 #include "console/console.h"
 #include "console/outcome.h"
 #include "insonify/recording_formats.h"
@@ -120,7 +119,8 @@ void add_serve(const Command& program) {
   auto& options = command.keep<ServeOptions>();
   command.argument("SCENARIO", &options.scenario, "Scenario file (YAML, or Stonefish's .scn)");
   add_server_options(command, options.server);
-  command.option("--record", "FILE", &options.recording, "Record from the start into this file (.h5, .mcap)");
+  command.option("--record", "FILE", &options.recording,
+                 fmt::format("Record from the start into this file ({})", recording_names(".", ", ")));
   command.option("--levels", "LOW:HIGH", &options.levels,
                  "Levels of the darkest and the brightest value in .mcap and for Foxglove, such as -90:-40 [dB]",
                  levels());

@@ -1,12 +1,11 @@
 // viewer_client.cpp -- handles the requests of a page, and sends it the pings that it watches.
 
-#include "serve/viewer_client.h"
-
 #include <fmt/format.h>
 
 #include "insonify/error.h"
 #include "insonify/printable.h"
 #include "insonify/recording_formats.h"
+#include "serve/hub.h"
 #include "serve/json_messages.h"
 
 namespace insonify {

@@ -1,5 +1,6 @@
 // shell_commands.cpp -- insonify completion and insonify manual: write what other files here make of the command line.
 
+#include "console/commands.h"
 #include "console/console.h"
 #include "console/outcome.h"
 #include "insonify/describe.h"

@@ -17,8 +17,4 @@ namespace insonify {
 /// The manual page insonify(1).
 [[nodiscard]] std::string manual_page(const std::vector<CommandWords>& commands);
 
-/// insonify completion, and insonify manual.
-void add_completion(const Command& program);
-void add_manual(const Command& program);
-
 }  // namespace insonify

@@ -6,8 +6,8 @@
 #include <span>
 
 #include "base/parallel.h"
-#include "echo/batch/echo_list.h"
 #include "echo/batch/ping_view.h"
+#include "echo/grid/echo.h"
 #include "echo/grid/echo_grid.h"
 #include "insonify/engine.h"
 

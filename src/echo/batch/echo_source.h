@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "echo/batch/echo_list.h"
 #include "echo/batch/ping_view.h"
+#include "echo/grid/echo.h"
 #include "echo/model/hit.h"
 #include "insonify/geometry.h"
 #include "insonify/ground_truth.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "echo/batch/placement.h"
+#include "echo/batch/ping_view.h"
 #include "echo/cpu/cpu_scene.h"
 #include "echo/cpu/raster_scene.h"
 #include "echo/model/hit.h"

@@ -4,7 +4,7 @@
 
 #include "base/lane_bits.h"
 #include "echo/cpu/embree.h"
-#include "echo/rays/ray_lanes.h"
+#include "echo/rays/box_cut.h"
 #include "insonify/geometry.h"
 
 namespace insonify {

@@ -12,6 +12,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "insonify/geometry.h"
 
 namespace insonify {
 
@@ -48,6 +52,19 @@ struct DiscreteEcho {
   float bearing_sine = 0;  ///< Sine of the bearing of arrival.
   float intensity = 0;     ///< Relative to the source's at 1 m.
   float turns = 0;         ///< Phase in full turns, 0..1.
+};
+
+/// What one EchoSource finds at one ping.
+struct EchoList {
+  std::vector<Echo> spread;            ///< Echoes that are summed in cells, in the order in which they are added.
+  std::vector<DiscreteEcho> discrete;  ///< Echoes with a bearing and a phase of their own.
+  std::vector<std::optional<Vec3>> thrusters;  ///< [thruster] Its position in the sonar frame [m]; none where hidden.
+
+  void clear() {
+    spread.clear();
+    discrete.clear();
+    thrusters.clear();
+  }
 };
 
 }  // namespace insonify

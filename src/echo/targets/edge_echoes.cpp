@@ -8,8 +8,7 @@
 #include <functional>
 #include <numbers>
 
-#include "acoustics/fresnel.h"
-#include "acoustics/wedge.h"
+#include "acoustics/diffraction.h"
 #include "base/vector_math.h"
 #include "echo/model/flat_plan.h"
 #include "echo/targets/glint_window.h"

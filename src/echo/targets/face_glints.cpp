@@ -6,7 +6,7 @@
 #include <cmath>
 #include <complex>
 
-#include "acoustics/fresnel.h"
+#include "acoustics/diffraction.h"
 #include "base/vector_math.h"
 #include "echo/model/flat_plan.h"
 #include "echo/targets/glint_window.h"

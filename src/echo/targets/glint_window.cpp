@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "acoustics/fresnel.h"
+#include "acoustics/diffraction.h"
 
 namespace insonify {
 namespace {

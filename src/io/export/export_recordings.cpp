@@ -16,16 +16,28 @@
 namespace insonify {
 namespace {
 
-// The formats, in the order in which messages list them.
 struct ExportFormat {
   std::string_view ending;
   void (*write)(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options);
+  std::string_view mark = "";  // A file in every export of the format, which is a folder; "": it is a file.
+  bool one_sonar = false;      // Whether it shows one sonar only.
 };
-constexpr ExportFormat kFormats[] = {{".mcap", export_mcap}, {".bag", export_bag},   {".npz", export_npz},
-                                     {".zarr", export_zarr}, {".mp4", export_video}, {".gif", export_video}};
+
+// In the order in which messages list them.
+constexpr ExportFormat kFormats[] = {{".mcap", export_mcap},
+                                     {".bag", export_bag},
+                                     {".npz", export_npz},
+                                     {".zarr", export_zarr, ".zgroup"},
+                                     {".mp4", export_video, "", true},
+                                     {".gif", export_video, "", true}};
+
+const ExportFormat* format_of(const std::filesystem::path& file) {
+  const auto* const found = std::ranges::find(kFormats, ending_of(file), &ExportFormat::ending);
+  return found == std::end(kFormats) ? nullptr : found;
+}
 
 // Replacing something that is not an export would be a mistake, not what --force means.
-void check_place(const std::filesystem::path& file, const std::string& ending, bool replace) {
+void check_place(const std::filesystem::path& file, const ExportFormat& format, bool replace) {
   std::error_code ignored;
   const std::filesystem::file_status there = std::filesystem::symlink_status(file, ignored);
   if (!std::filesystem::exists(there)) {
@@ -34,12 +46,12 @@ void check_place(const std::filesystem::path& file, const std::string& ending, b
   if (!replace) {
     throw Error(fmt::format("{}: cannot create: it exists already", file.string()));
   }
-  const bool folder = std::filesystem::is_directory(there);
-  if (ending == ".zarr" ? !folder || !std::filesystem::exists(file / ".zgroup", ignored) : folder) {
-    throw Error(fmt::format("{}: cannot replace: it is {}", file.string(),
-                            folder && ending == ".zarr" ? "a folder without .zgroup, no Zarr group"
-                            : folder                    ? "a folder"
-                                                        : "no folder"));
+  const bool folder = std::filesystem::is_directory(there), wanted = !format.mark.empty();
+  if (folder != wanted) {
+    throw Error(fmt::format("{}: cannot replace: it is {}", file.string(), folder ? "a folder" : "no folder"));
+  }
+  if (wanted && !std::filesystem::exists(file / format.mark, ignored)) {
+    throw Error(fmt::format("{}: cannot replace: it is a folder without {}", file.string(), format.mark));
   }
 }
 
@@ -97,11 +109,10 @@ Checked checked(std::span<const RecordingPart> recordings, const std::filesystem
                 const ExportOptions& options) {
   Checked found;
   // A folder may be named with a trailing slash.
-  const bool slash = !place.has_filename() && ending_of(place.parent_path()) == ".zarr";
-  found.file = slash ? place.parent_path() : place;
-  const std::string ending = ending_of(found.file);
-  found.format = std::ranges::find(kFormats, ending, &ExportFormat::ending);
-  if (found.format == std::end(kFormats)) {
+  const ExportFormat* const of_folder = place.has_filename() ? nullptr : format_of(place.parent_path());
+  found.file = of_folder != nullptr && !of_folder->mark.empty() ? place.parent_path() : place;
+  found.format = format_of(found.file);
+  if (found.format == nullptr) {
     const auto endings = export_endings();
     throw Error(fmt::format("{}: its ending must be {} or {}, which says the format", found.file.string(),
                             fmt::join(endings.first(endings.size() - 1), ", "), endings.back()));
@@ -109,7 +120,7 @@ Checked checked(std::span<const RecordingPart> recordings, const std::filesystem
   if (recordings.empty()) {
     throw Error(fmt::format("{}: there is not a recording to export", found.file.string()));
   }
-  check_place(found.file, ending, options.replace);
+  check_place(found.file, *found.format, options.replace);
   for (const RecordingPart& recording : recordings) {
     for (auto& sonar : open_all_tables(recording.path, recording.sonar)) {
       if (sonar->ping_count() == 0) {
@@ -118,7 +129,7 @@ Checked checked(std::span<const RecordingPart> recordings, const std::filesystem
       found.sonars.push_back(std::move(sonar));
     }
   }
-  if (found.format->write == export_video && found.sonars.size() > 1) {
+  if (found.format->one_sonar && found.sonars.size() > 1) {
     std::vector<std::string> names;
     for (const auto& sonar : found.sonars) {
       names.push_back(name_of(*sonar));

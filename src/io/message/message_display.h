@@ -1,8 +1,14 @@
-// message_display.h -- the fixed mapping of intensities to the values of images, and back.
+// message_display.h -- what messages show of a ping: the fixed mapping of intensities to the values of images, and its
+// strongest cells as points.
 
 #pragma once
 
+#include <vector>
+
 #include "insonify/messages.h"
+#include "insonify/ping.h"
+#include "insonify/sonar_config.h"
+#include "io/message/encode.h"
 
 namespace insonify {
 
@@ -16,5 +22,14 @@ namespace insonify {
 /// @param share  The value relative to the greatest, 0..1.
 /// @param range  Range of its bin [m].
 [[nodiscard]] double intensity_of_share(const MessageLevels& levels, double share, double range);
+
+/// The cells with the highest levels, with gain over range, as points in the frame of the housing; never cells without
+/// an echo. A point is at its bin's range and its beam's azimuth (plus the head's angle of a scanning sonar). Its
+/// elevation comes from the ground truth, or is the middle of the sonar's elevation aperture if unknown. Its intensity
+/// is 10 log10 of the recorded one [dB].
+/// @param raised  The ping's intensities with the gain over range.
+/// @param share   Share of the ping's cells, in (0, 1].
+[[nodiscard]] std::vector<CloudPoint> strong_points(const Ping& ping, const std::vector<float>& raised,
+                                                    const SonarConfig& sonar, double share);
 
 }  // namespace insonify

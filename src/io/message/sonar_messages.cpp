@@ -16,7 +16,6 @@
 #include "io/message/message_channels.h"
 #include "io/message/message_display.h"
 #include "io/message/ros_name.h"
-#include "io/message/strong_points.h"
 
 namespace insonify {
 namespace {

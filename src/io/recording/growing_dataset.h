@@ -1,8 +1,11 @@
-// growing_dataset.h -- layout of a dataset that grows ping by ping.
+// growing_dataset.h -- a dataset that grows ping by ping: its layout, and compression of its chunks.
 
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,6 +26,32 @@ struct GrowingDataset {
   [[nodiscard]] std::uint64_t chunk_rows() const;
   [[nodiscard]] std::vector<std::uint64_t> chunk_shape() const;
   [[nodiscard]] bool is_filtered() const;
+};
+
+/// Compresses the chunks of one dataset, in a form that every HDF5 library reads.
+class ChunkFilter {
+ public:
+  /// As in a dataset's filter pipeline: shuffle is filter 0, deflate filter 1.
+  static constexpr unsigned kBoth = 3;
+
+  /// Level of deflate. Higher levels cost much time and save little (docs/design/recording.md).
+  static constexpr int kLevel = 1;
+
+  /// @param element_size  [bytes]
+  explicit ChunkFilter(std::size_t element_size);
+
+  /// Allocates nothing for as many bytes as before.
+  /// @return  The compressed bytes, valid until the next call; none if they would not be fewer.
+  [[nodiscard]] std::span<const std::byte> compress(std::span<const std::byte> values);
+
+ private:
+  struct Deflater;
+  struct End {
+    void operator()(Deflater* deflater) const;
+  };
+  std::size_t element_size_;
+  std::vector<std::byte> shuffled_, deflated_;
+  std::unique_ptr<Deflater, End> deflater_;
 };
 
 }  // namespace insonify

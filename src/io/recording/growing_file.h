@@ -16,7 +16,6 @@
 #include "io/file/file_lock.h"
 #include "io/file/hdf5.h"
 #include "io/file/unfinished_file.h"
-#include "io/recording/chunk_filter.h"
 #include "io/recording/chunk_index.h"
 #include "io/recording/growing_dataset.h"
 #include "io/recording/growing_image.h"

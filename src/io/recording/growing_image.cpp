@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "io/recording/chunk_filter.h"
+#include "io/recording/growing_dataset.h"
 
 namespace insonify {
 namespace {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "insonify/error.h"
 
@@ -49,6 +50,8 @@ int half_wave_elements(ArraySettings settings, double beam_width) {
   }
 }
 
+constexpr double kRightAngle = 0.5 * std::numbers::pi;
+
 }  // namespace
 
 ArraySettings line_array(BeamPattern pattern, double side_lobe_db, double beam_width) {
@@ -86,6 +89,31 @@ ArraySettings receiving_array(const ReceiverConfig& receiver, const SonarConfig&
 double beam_width(const SonarConfig& sonar) {
   const double covered = sonar.beam_widths.empty() ? sonar.azimuth_aperture : sonar.bearings().covered();
   return sonar.azimuth_resolution.value_or(covered / sonar.beam_count);
+}
+
+AcrossElevations::AcrossElevations(const SonarConfig& sonar, const ReceiverConfig& receiver)
+    : middle_(sonar.elevation_center), half_(0.5 * sonar.elevation_aperture) {
+  const BeamPattern pattern = sonar.elevation_pattern_beside(receiver);
+  if (pattern != BeamPattern::kTopHat) {
+    array_.emplace(line_array(pattern, receiver.side_lobe_db, sonar.elevation_aperture));
+    length_ = array_->length(1, sonar.elevation_aperture);
+  }
+}
+
+double AcrossElevations::low() const {
+  return array_ ? -kRightAngle : middle_ - half_;
+}
+
+double AcrossElevations::high() const {
+  return array_ ? kRightAngle : middle_ + half_;
+}
+
+double AcrossElevations::intensity(double elevation) const {
+  const double off = elevation - middle_;
+  if (!array_) {
+    return std::abs(off) <= half_ ? 1 : 0;
+  }
+  return std::abs(off) < kRightAngle ? array_->intensity(length_ * std::sin(off)) : 0;
 }
 
 }  // namespace insonify

@@ -1,6 +1,8 @@
-// line_array.h -- the line array that produces a receiver's beam pattern.
+// line_array.h -- the line arrays that produce a receiver's beam patterns, and the pattern across elevations.
 
 #pragma once
+
+#include <optional>
 
 #include "insonify/array_pattern.h"
 #include "insonify/receiver_config.h"
@@ -28,5 +30,22 @@ namespace insonify {
 /// Width of the beams of an azimuth pattern at half power [rad]: the sonar's azimuth_resolution, or where it has none
 /// the mean width of the slices of azimuth of its beams.
 [[nodiscard]] double beam_width(const SonarConfig& sonar);
+
+/// |p|^2 of a sonar across elevations, one way: an array that is baffled to the back, or a top hat. ElevationPattern is
+/// a table of the same pattern, cut off where levels are negligible.
+class AcrossElevations {
+ public:
+  AcrossElevations(const SonarConfig& sonar, const ReceiverConfig& receiver);
+
+  // Elevations beyond which nothing is received [rad].
+  [[nodiscard]] double low() const;
+  [[nodiscard]] double high() const;
+
+  [[nodiscard]] double intensity(double elevation) const;
+
+ private:
+  double middle_, half_, length_ = 0;
+  std::optional<ArrayPattern> array_;
+};
 
 }  // namespace insonify

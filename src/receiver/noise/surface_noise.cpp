@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "insonify/acoustics/absorption.h"
-#include "receiver/array/across_elevations.h"
+#include "receiver/array/line_array.h"
 
 namespace insonify {
 namespace {

@@ -14,7 +14,7 @@
 #include "insonify/sonar_config.h"
 #include "insonify/thruster.h"
 #include "insonify/water.h"
-#include "receiver/array/across_elevations.h"
+#include "receiver/array/line_array.h"
 #include "receiver/noise/noise_field.h"
 #include "sonar/fan_pattern.h"
 

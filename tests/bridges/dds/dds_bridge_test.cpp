@@ -15,7 +15,6 @@
 #include "bridges/dds/started_bridge.h"
 #include "dds/dds_names.h"
 #include "dds/frame_tree.h"
-#include "dds/type_hash.h"
 #include "insonify/recorded_pings.h"
 #include "io/mcap/mcap_reader.h"
 #include "support/working_folder.h"

@@ -10,7 +10,6 @@
 #include "bridges/dds/own_domain.h"
 #include "dds/dds_configuration.h"
 #include "dds/raw_type.h"
-#include "dds/send_pace.h"
 
 namespace insonify {
 namespace {

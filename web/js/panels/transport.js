@@ -15,6 +15,7 @@ export function setUpTransport(store, request) {
     request(on ? { op: "record", on, format: byId("record-format").value } : { op: "record", on });
   });
   byId("save").addEventListener("click", () => request({ op: "save" }));
+  store.on(["hello"], () => listFormats(store.get("hello")?.record_formats ?? []));
   store.on(["status", "link", "hello"], () => show(store));
   store.on(["frozen"], () => press("freeze", store.get("frozen")));
   store.on(["link", "status"], () => {
@@ -30,6 +31,14 @@ export function setUpTransport(store, request) {
 }
 
 const press = (id, on) => byId(id).setAttribute("aria-pressed", String(Boolean(on)));
+
+// Formats as [name, title]; the choice of the user stays.
+function listFormats(formats) {
+  const select = byId("record-format");
+  const chosen = select.value;
+  select.replaceChildren(...formats.map(([value, title]) => element("option", { value }, title)));
+  if (formats.some(([name]) => name === chosen)) select.value = chosen;
+}
 
 function show(store) {
   const status = store.get("status");

@@ -1,10 +1,35 @@
-// palette.h -- colours of the parts of a picture that are not echoes: background, text and lines.
+// colours.h -- colours of a picture: those of echoes, by a look-up table, and of all else.
 
 #pragma once
 
+#include <array>
+#include <cmath>
+
 #include "image/canvas.h"
 
-namespace insonify::palette {
+namespace insonify {
+
+/// Colours of a display, tabulated over the level.
+class Tone {
+ public:
+  explicit Tone(const Display& display) : display_(display) {
+    for (int i = 0; i <= kLast; ++i) {
+      colours_[i] = colour(display.colour_map, i * 1.0 / kLast);
+    }
+  }
+
+  [[nodiscard]] Rgb operator()(double intensity) const {
+    return colours_[std::lround(shown_level(display_, intensity) * kLast)];
+  }
+
+ private:
+  static constexpr int kLast = 1023;
+  Display display_;
+  std::array<Rgb, kLast + 1> colours_{};
+};
+
+/// Background, text and lines.
+namespace palette {
 
 inline constexpr Rgb kBackground{22, 25,
                                  30};  ///< Around a fan: neutral, and lighter than intensity 0 in every colour map.
@@ -17,4 +42,5 @@ inline constexpr Ink kOutline{{255, 255, 255}, 0.40};
 inline constexpr Ink kGridText{{222, 228, 234}, 1};  ///< Over echoes.
 inline constexpr Ink kHead{{120, 235, 255}, 0.85};   ///< Present direction of a scanning head.
 
-}  // namespace insonify::palette
+}  // namespace palette
+}  // namespace insonify

@@ -1,6 +1,6 @@
-// type_hash.cpp -- the hashes of the bridge's message types.
+// dds_names.cpp -- the hashes of the bridge's message types.
 
-#include "dds/type_hash.h"
+#include "dds/dds_names.h"
 
 #include <dds/dds.h>
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
-// listen_address.cpp -- reads --address, and finds the network interface that has it.
+// listening.cpp -- reads --address and finds the network interface that has it; polls for requests to stop and to print
+// the report.
 
-#include "emulate/listen_address.h"
+#include "emulate/listening.h"
 
 #include <ifaddrs.h>
 #include <netinet/in.h>
@@ -9,6 +10,8 @@
 
 #include "console/console.h"
 #include "console/outcome.h"
+#include "console/stop.h"
+#include "insonify/interrupted.h"
 
 namespace insonify {
 
@@ -62,6 +65,25 @@ Ipv4Network network_of(const EmulateOptions& options) {
     }
   }
   throw Error(fmt::format("--address {}: no network interface of this machine has it", printable(options.address)));
+}
+
+void EventLoop::run() {
+  watch_signals();
+  try {
+    context_.run();
+  } catch (const Interrupted&) {
+    // SIGINT during a ping.
+  }
+}
+
+void EventLoop::watch_signals() {
+  if (report_asked()) {
+    say("{}\n", report_.text());
+    flush_output();
+  }
+  constexpr std::chrono::milliseconds kInterval{50};
+  timer_.expires_after(kInterval);
+  timer_.async_wait([this](boost::system::error_code) { stop_asked() ? context_.stop() : watch_signals(); });
 }
 
 }  // namespace insonify

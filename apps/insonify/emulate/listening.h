@@ -1,11 +1,14 @@
-// listen_address.h -- the address that an emulated instrument listens on, and its network.
+// listening.h -- what emulated instruments share: the address that they listen on, and their event loop.
 
 #pragma once
 
+#include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/address.hpp>
 #include <boost/asio/ip/address_v4.hpp>
+#include <boost/asio/steady_timer.hpp>
 
 #include "emulate/emulate.h"
+#include "transport/transport_report.h"
 
 namespace insonify {
 
@@ -21,5 +24,23 @@ struct Ipv4Network {
 /// Reads --address, and warns as address_of().
 /// @throws InputError for an invalid IPv4 address; Error for one that this machine does not have.
 [[nodiscard]] Ipv4Network network_of(const EmulateOptions& options);
+
+class EventLoop {
+ public:
+  /// @param report  Printed at SIGUSR1; must live as long as the loop.
+  explicit EventLoop(const TransportReport& report) : report_(report) {}
+
+  [[nodiscard]] boost::asio::io_context& context() { return context_; }
+
+  /// Runs until SIGINT or SIGTERM, also while a ping is made.
+  void run();
+
+ private:
+  void watch_signals();
+
+  const TransportReport& report_;
+  boost::asio::io_context context_{1};
+  boost::asio::steady_timer timer_{context_};
+};
 
 }  // namespace insonify

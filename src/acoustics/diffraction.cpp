@@ -1,7 +1,9 @@
-// fresnel.cpp -- Fresnel integrals by a power series near zero and a continued fraction beyond.
+// diffraction.cpp -- Fresnel integrals by a power series near zero and a continued fraction beyond; Keller's
+// coefficient of a wedge.
 
-#include "acoustics/fresnel.h"
+#include "acoustics/diffraction.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -46,6 +48,10 @@ Complex from_error_function(double x) {
   return Complex{0.5, 0.5} * (1.0 - erfc);
 }
 
+double cotangent(double angle) {
+  return std::cos(angle) / std::sin(angle);
+}
+
 }  // namespace
 
 Complex fresnel_integral(double x) {
@@ -56,6 +62,17 @@ Complex fresnel_integral(double x) {
 Complex fresnel_between(double from, double to) {
   const auto odd = [](double x) { return std::copysign(1.0, x) * fresnel_integral(std::abs(x)); };
   return odd(to) - odd(from);
+}
+
+double wedge_backscatter(double exterior, const std::array<WedgeFace, 2>& faces, double mirror) {
+  double sum = 2 * cotangent(0.5 * std::numbers::pi / exterior);
+  for (const WedgeFace& face : faces) {
+    const double off =
+        0.5 * std::numbers::pi - face.angle;  // < 0 if the edge is the end of the face nearest to the source.
+    const double held = off < 0 ? std::min(off, -mirror) : std::max(off, mirror);
+    sum += face.reflection * cotangent(held / exterior);
+  }
+  return -sum / (4 * std::numbers::pi * exterior);
 }
 
 }  // namespace insonify
