@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -44,6 +45,12 @@ struct WorldOptions {
   /// pattern applies to the full name ("tank::walls::north") and to its last part ("north"). The log gets a warning for
   /// a pattern without a match.
   std::vector<std::string> ignore = {};
+  /// Whether what is water by its name or its look is insonified; otherwise it is left out with a warning (SDF).
+  bool keep_water = false;
+  /// Values of a Stonefish scenario's $(arg px) and $(param px): "px=8".
+  std::vector<std::string> arguments = {};
+  /// Whether each named part of a mesh file (OBJ's o and g, nodes of DAE and glTF) is an instance, "ship::mast".
+  bool parts = false;
 
   bool operator==(const WorldOptions&) const = default;
 };
@@ -78,11 +85,24 @@ struct WorldOptions {
 [[nodiscard]] Scenario load_scenario_text(const std::string& text, const std::filesystem::path& path,
                                           std::span<const std::string> settings = {}, const Log& log = {});
 
-/// Reads waypoints from a CSV file (.csv; its header names the columns time, x, y, z and qw, qx, qy, qz or roll, pitch,
-/// yaw or roll_deg, pitch_deg, yaw_deg) or a TUM file (.tum, .txt: time x y z qx qy qz qw). Lines that begin with # are
-/// comments. See docs/reference/trajectories.md.
+/// A column of a trajectory file.
+struct TrajectoryColumn {
+  std::string name = {};  ///< In the file's header; "" for that of the number.
+  std::string unit = {};  ///< s, ms, us, ns, m, cm, mm, km, ft, rad or deg; "" for that in the header, else SI.
+  double sign = 1;        ///< 1, or -1 for a depth in place of z, or a yaw to starboard.
+};
+
+/// Columns by the number of a waypoint that they are: time, x, y, z, qw, qx, qy, qz, roll, pitch, yaw.
+using TrajectoryColumns = std::map<std::string, TrajectoryColumn>;
+
+/// Reads waypoints from a text: values separated by commas, semicolons or white space, under a header that names the
+/// columns (.csv), or as in TUM (.tum, .txt: time x y z qx qy qz qw), EuRoC and KITTI files. Lines that begin with #
+/// are comments, or the header. See docs/reference/trajectories.md.
+/// @param columns  Names, units and signs of columns; those of other names are found by theirs.
+/// @param log      Receives warnings about columns that are not read, and rows with equal times, which are skipped.
 /// @throws Error "path:line:column: ..." for an invalid number, or one out of limits or order.
-[[nodiscard]] Trajectory load_trajectory(const std::filesystem::path& path);
+[[nodiscard]] Trajectory load_trajectory(const std::filesystem::path& path, const TrajectoryColumns& columns = {},
+                                         const Log& log = {});
 
 /// Writes a scenario as text that load_scenario() reads back as the same scenario: settings that differ from
 /// defaults, presets as numbers, files by absolute paths. An angle may differ in its last bit, since not all

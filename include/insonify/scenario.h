@@ -87,9 +87,12 @@ struct Scenario {
 
   std::filesystem::path
       world;  ///< SDF world or model, Stonefish scenario, mesh or height grid; absolute. Empty for open water.
-  bool collisions = false;          ///< Insonify the world's collision shapes instead of its visuals.
-  bool strict = false;              ///< Whether a missing part of the world is an error; else it is skipped.
-  std::vector<std::string> ignore;  ///< Objects of the world to ignore, as WorldOptions::ignore.
+  bool collisions = false;             ///< Insonify the world's collision shapes instead of its visuals.
+  bool strict = false;                 ///< Whether a missing part of the world is an error; else it is skipped.
+  std::vector<std::string> ignore;     ///< Objects of the world to ignore, as WorldOptions::ignore.
+  bool keep_water = false;             ///< Whether the world's water is insonified, as WorldOptions::keep_water.
+  std::vector<std::string> arguments;  ///< Of a Stonefish world: "px=8", as WorldOptions::arguments.
+  bool parts = false;                  ///< An instance for each part of a mesh file, as WorldOptions::parts.
   EchoModel model = EchoModel::kCalibrated;
   std::string engine = "cpu";
   PrimaryEchoes primary = PrimaryEchoes::kAuto;
@@ -166,6 +169,24 @@ struct Scenario {
                 "Objects of the world to skip, by patterns of their names: `[water_surface*, box_walls]` (SDF, "
                 "Stonefish)."},
           self.ignore);
+    visit(Field{"keep_water",
+                "",
+                {},
+                "Whether what is water by its name (ocean, sea_surface, water, waves) or its look echoes as a solid "
+                "surface; otherwise it is left out with a warning (SDF)."},
+          self.keep_water);
+    visit(Field{"arguments",
+                "",
+                {},
+                "Values of `$(arg px)` and `$(param px)` in a Stonefish world, which launch files give: `{px: 8}`."},
+          self.arguments);
+    visit(
+        Field{"parts",
+              "",
+              {},
+              "Whether each named part of a mesh file is an object of its own, `ship::mast`, with labels and materials "
+              "by its name (OBJ's o and g, nodes of DAE and glTF)."},
+        self.parts);
     visit(Field{"model", "", {}, "Echo model: calibrated (levels by the sonar equation) or paper (shaped strengths)."},
           self.model);
     visit(Field{"engine", "", {}, "Engine that computes the echoes: cpu, or reference (slow, for checks)."},
@@ -251,12 +272,11 @@ void Scenario::visit_parts(Self& self, Visit&& visit) {
              "One entry for each running thruster of the vehicle. Sonars receive its noise with `receiver.noise` "
              "(calibrated model)."},
         self.thrusters);
-  visit(
-      Part{"trajectory", "list of waypoints", "How the vehicle moves: see `trajectory`.",
-           "One entry for each waypoint, in order of time. Between two, the vehicle moves straight and turns evenly; "
-           "before the first and after the last it stands still. Instead of the list, a CSV or TUM file: `trajectory: "
-           "log.csv` or `trajectory: {file: log.tum, start: 100}` ([trajectory files](trajectories.md))."},
-      self.trajectory.waypoints);
+  visit(Part{"trajectory", "list of waypoints", "How the vehicle moves: see `trajectory`.",
+             "One entry for each waypoint, in order of time. Between two, the vehicle moves straight and turns evenly; "
+             "before the first and after the last it stands still. Instead of the list, a file: `trajectory: "
+             "log.csv` or `trajectory: {file: log.tum, start: 100}` ([trajectory files](trajectories.md))."},
+        self.trajectory.waypoints);
   visit(Part{"motions", "list of motions", "Objects of the world that move: see `motions`.",
              "One entry for each object of the world that moves."},
         self.motions);

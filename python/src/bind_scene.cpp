@@ -114,16 +114,21 @@ void bind_scene(py::module_& module) {
       .def(py::init<>(), "An empty scene, for add().")
       .def_static(
           "load",
-          [](const py::object& path, bool collisions, bool strict, const py::object& ignore) {
-            WorldOptions options{.collisions = collisions, .strict = strict};
+          [](const py::object& path, bool collisions, bool strict, const py::object& ignore, bool keep_water,
+             const py::object& arguments, bool parts) {
+            WorldOptions options{.collisions = collisions, .strict = strict, .keep_water = keep_water, .parts = parts};
             from_python(ignore, "ignore", 1, options.ignore);
+            from_python(arguments, "arguments", 1, options.arguments);
             return load_scene(path_from(path, "path"), options, warnings_log());
           },
           py::arg("path"), py::arg("collisions") = false, py::arg("strict") = false, py::arg("ignore") = py::tuple(),
+          py::arg("keep_water") = false, py::arg("arguments") = py::tuple(), py::arg("parts") = false,
           "Reads an SDF world or model, a mesh (OBJ, STL, DAE, PLY, glTF) or a height grid.\n\n"
           "collisions: take SDF's collision shapes instead of its visuals. strict: raise Error for a model or a file "
           "that is missing, instead of leaving it out with a warning. ignore: patterns of the names of objects to "
-          "leave out, such as [\"water_surface*\"]. Raises Error with the path.")
+          "leave out, such as [\"box_walls*\"]. keep_water: keep what is water by its name or look. arguments: of a "
+          "Stonefish scenario, such as [\"px=8\"]. parts: an instance for each named part of a mesh file. Raises Error "
+          "with the path.")
       .def("add", &add, py::arg("name"), py::arg("vertices"), py::arg("faces"), py::arg("material") = "sand",
            py::arg("pose") = py::none(),
            "Adds a mesh.\n\nvertices: array [n, 3] in metres. faces: array [m, 3] of indices from 0. material: name of "

@@ -124,7 +124,7 @@ char32_t take_code_point(std::string_view& text) {
   return point;
 }
 
-std::string as_utf8(std::string_view text) {
+std::string as_utf8(std::string_view text, std::string_view escape) {
   std::string valid;
   valid.reserve(text.size());
   while (!text.empty()) {
@@ -132,7 +132,7 @@ std::string as_utf8(std::string_view text) {
     const char32_t point = take_code_point(text);
     const std::string_view taken = before.substr(0, before.size() - text.size());
     const bool is_byte = point == kNotUtf8 && taken.size() == 1;
-    valid += is_byte ? fmt::format("\\x{:02x}", static_cast<unsigned char>(taken[0])) : std::string(taken);
+    valid += is_byte ? fmt::format("{}{:02x}", escape, static_cast<unsigned char>(taken[0])) : std::string(taken);
   }
   return valid;
 }

@@ -15,6 +15,7 @@ inline constexpr char32_t kNotUtf8 = U'\ufffd';
 [[nodiscard]] char32_t take_code_point(std::string_view& text);
 
 /// The text with each byte that is not UTF-8 replaced by an escape: "t\xe9".
-[[nodiscard]] std::string as_utf8(std::string_view text);
+/// @param escape  What stands before the two hexadecimal digits.
+[[nodiscard]] std::string as_utf8(std::string_view text, std::string_view escape = "\\x");
 
 }  // namespace insonify

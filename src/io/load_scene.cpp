@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
 #include <set>
 
+#include "base/log_line.h"
 #include "base/utf8.h"
 #include "insonify/error.h"
 #include "insonify/files.h"
@@ -12,26 +14,55 @@
 #include "io/file/reader_process.h"
 #include "io/mesh/mesh_file.h"
 #include "io/mesh/relief_file.h"
+#include "io/odd_world.h"
 #include "io/stonefish/stonefish_scene.h"
 #include "io/world/sdf_reader.h"
 
 namespace insonify {
 namespace {
 
-Scene scene_of(const std::filesystem::path& path, Mesh mesh) {
+void add_instance(const std::filesystem::path& path, const std::string& name, Mesh mesh, Scene& scene) {
   Instance instance;
-  instance.name = as_utf8(path.stem().string());
+  instance.name = name;
   instance.mesh = std::make_shared<const Mesh>(std::move(mesh));
   check_reach(instance, path.string());
-  Scene scene;
   scene.instances.push_back(std::move(instance));
+}
+
+Scene scene_of(const std::filesystem::path& path, Mesh mesh) {
+  Scene scene;
+  add_instance(path, as_utf8(path.stem().string()), std::move(mesh), scene);
   return scene;
+}
+
+Scene scene_of_parts(const std::filesystem::path& path, const Log& log) {
+  Scene scene;
+  for (Mesh& part : load_mesh_parts(path, log)) {
+    const std::string name = fmt::format("{}::{}", as_utf8(path.stem().string()), part.name);
+    add_instance(path, name, std::move(part), scene);
+  }
+  return scene;
+}
+
+// COLLADA says which axis is up; like Gazebo we do not turn it. Of a part of a world its SDF file says so.
+void warn_of_up_axis(const std::filesystem::path& path, const Log& log) {
+  constexpr std::string_view kKey = "<up_axis>";
+  std::string start(65536, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(start.data(), static_cast<std::streamsize>(start.size()));
+  const std::size_t key = start.find(kKey);
+  const std::string_view axis = key == std::string::npos ? "" : std::string_view(start).substr(key + kKey.size(), 4);
+  if (ending_of(path) == ".dae" && (axis == "Y_UP" || axis == "X_UP")) {
+    log_line(log, Severity::kWarning,
+             fmt::format("{}: says {}, which is not applied, as in Gazebo: z is up", path.string(), axis));
+  }
 }
 
 }  // namespace
 
 WorldOptions world_options(const Scenario& scenario) {
-  return {scenario.collisions, scenario.strict, scenario.ignore};
+  return {scenario.collisions, scenario.strict,    scenario.ignore,
+          scenario.keep_water, scenario.arguments, scenario.parts};
 }
 
 Scene load_scene(const std::filesystem::path& path, const WorldOptions& options, const Log& log) {
@@ -50,6 +81,10 @@ Scene load_scene(const std::filesystem::path& path, const WorldOptions& options,
     return scene_of(path, make_height_field(load_height_grid(path, log)));
   }
   if (is_mesh_file(path) || kMeshesToConvert.contains(ending)) {
+    warn_of_up_axis(path, log);
+    if (options.parts) {
+      return scene_of_parts(path, log);
+    }
     return scene_of(path, load_mesh(path, log));
   }
   throw Error(
@@ -81,6 +116,9 @@ Scene load_scene(const Scenario& scenario, const Log& log) {
   Scene scene;
   if (!scenario.world.empty()) {
     scene = load_scene(scenario.world, world_options(scenario), log);
+    for (const std::string& line : odd_places(scenario, scene)) {
+      log_line(log, Severity::kWarning, line);
+    }
   }
   assign_scenario_materials(scene, scenario, log);
   return scene;

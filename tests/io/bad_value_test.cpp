@@ -194,7 +194,8 @@ const BadScenario kCases[] = {
     {"TrajectoryWithoutItsFile", "world: floor.obj\nsonars: [{}]\ntrajectory: {start: 3}\n",
      "scenario.yaml:3:1: trajectory.file is missing: a CSV or TUM file of waypoints"},
     {"TrajectoryOfAnotherKind", "world: floor.obj\nsonars: [{}]\ntrajectory: track.bag\n",
-     "scenario.yaml:3:1: track.bag: is not a trajectory: CSV ends in .csv, TUM in .tum or .txt"},
+     "scenario.yaml:3:1: track.bag: is not a trajectory: CSV ends in .csv, TUM in .tum or .txt, KITTI in .txt or "
+     ".kitti"},
 
     // Keys of the other model.
     {"GainInTheCalibratedModel", "world: floor.obj\nsonars:\n  - gain: 2\n",

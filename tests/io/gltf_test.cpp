@@ -162,6 +162,16 @@ TEST_F(GltfTest, UrisArePercentEncoded) {
   EXPECT_EQ(load_mesh(write(box.document, box.bytes, "my%20b%C3%B6x.bin")).triangles.size(), 12U);
 }
 
+TEST_F(GltfTest, BytesThatAreNoTextAreEscaped) {
+  Box<float> box;
+  box.document["materials"] = json::parse(R"([{"name": "cafX"}])");
+  box.document["meshes"][0]["primitives"][0]["material"] = 0;
+  folder.write("box.bin", box.bytes);
+  std::string text = box.document.dump();
+  text.replace(text.find("cafX"), 4, "caf\xe9");
+  EXPECT_THAT(load_mesh(folder.write("a.gltf", text)).material_names, ElementsAre("caf\\xe9"));
+}
+
 TEST_F(GltfTest, BuffersMayBeWithin) {
   Box<std::int16_t> box;
   const auto encoded = [](std::string_view bytes) {

@@ -180,6 +180,28 @@ TEST(DaeTest, LooksDoNotStopShapes) {
   }
 }
 
+// assimp crashes on an image without a file.
+TEST(DaeTest, ImagesWithoutFilesDoNotStopShapes) {
+  const ScratchFolder folder;
+  const Loaded loaded = load(folder.write(
+      "a.dae", dae_text({.materials = "<library_images><image id='i'><init_from/></image><image><init_from>a.png"
+                                      "</init_from></image></library_images>"})));
+  EXPECT_NEAR(volume_of(loaded.mesh), 5, kFloat);
+}
+
+TEST(ObjTest, LooksDoNotStopShapes) {
+  const ScratchFolder folder;
+  folder.write("empty.mtl", "");
+  folder.write("bad.mtl",
+               "newmtl steel\nKd abc\nKa 1\nNs\nillum x\nd -halo .5\nmap_Kd -s 1 1\nbump -bm\nnewmtl\nTf\nnewmtl rust\n"
+               "Kd spectral a.rfl\n");
+  for (const std::string library : {"bad.mtl", "empty.mtl", "gone.mtl"}) {
+    const Loaded loaded = load(folder.write("a.obj", "mtllib " + library + "\nusemtl rust\n" + obj_text()));
+    EXPECT_THAT(loaded.notes, IsEmpty()) << library;
+    EXPECT_THAT(loaded.mesh.material_names, ElementsAre("rust")) << library;
+  }
+}
+
 // "Rückwand" in ISO 8859-1, "Стена" in windows-1251 and "壁" in Shift_JIS.
 TEST(DaeTest, DeclaredEncodingsAreRead) {
   struct Case {
@@ -213,6 +235,44 @@ TEST(LoadMeshTest, NamesThatAreNoTextAreEscaped) {
   EXPECT_EQ(mesh.name, "t\\xe9");
   EXPECT_THAT(mesh.material_names, ElementsAre("caf\\xe9"));
   EXPECT_EQ(load_scene(folder.path() / "t\xe9.obj").instances[0].name, "t\\xe9");
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+std::vector<std::string> part_names(const std::filesystem::path& path) {
+  std::vector<std::string> names;
+  for (const Instance& instance : load_scene(path, {.parts = true}).instances) {
+    names.push_back(instance.name);
+  }
+  return names;
+}
+
+TEST(PartsTest, ObjectsAndGroupsOfObjAreInstances) {
+  const ScratchFolder folder;
+  const auto path =
+      folder.write("ship.obj",
+                   "o hull\nv 0 0 0\nv 2 0 0\nv 0 3 0\nusemtl steel\nf 1 2 3\ng mast\nv 10 0 0\nv 10 4 0\n"
+                   "v 10 0 8\nusemtl wood\nf 4 5 6\nusemtl steel\nf 6 5 4\ng hull\nf 3 2 1\n");
+  const Scene scene = load_scene(path, {.parts = true});
+  ASSERT_EQ(scene.instances.size(), 2U);
+  EXPECT_EQ(scene.instances[0].name, "ship::hull");
+  EXPECT_EQ(scene.instances[0].mesh->triangles.size(), 2U);
+  EXPECT_THAT(scene.instances[0].mesh->material_names, ElementsAre("steel"));
+  EXPECT_EQ(scene.instances[1].name, "ship::mast");
+  EXPECT_THAT(scene.instances[1].mesh->material_names, testing::UnorderedElementsAre("wood", "steel"));
+  expect_bounds(*scene.instances[1].mesh, {10, 0, 0}, {10, 4, 8});
+  EXPECT_EQ(load_scene(path).instances.size(), 1U) << "on request only";
+}
+
+TEST(PartsTest, NodesAreInstances) {
+  const ScratchFolder folder;
+  const std::string node = "<node id='{0}' name='leg'><instance_geometry url='#g'/></node>";
+  EXPECT_THAT(part_names(folder.write("jacket.dae", dae_text({.nodes = fmt::format(fmt::runtime(node), "a") +
+                                                                       fmt::format(fmt::runtime(node), "b")}))),
+              ElementsAre("jacket::leg", "jacket::leg_2"));
+  folder.write("corner.bin", gltf_buffer());
+  EXPECT_THAT(part_names(folder.write("box.gltf", gltf_text("corner.bin"))), ElementsAre("box::corner"));
+  EXPECT_THAT(part_names(folder.write("bed.ply", ascii_ply_text())), ElementsAre("bed::bed"));
 }
 
 }  // namespace

@@ -43,9 +43,12 @@ std::string h5_failure() {
 
 H5Handle h5_open_to_read(const std::filesystem::path& path) {
   constexpr int kTries = 4;  // A recording grows once in several pings.
+  // Without HDF5's own lock, which file systems such as NFS may refuse (ENOLCK).
+  const H5Handle access = h5_own(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, path, "open it as HDF5");
+  h5_check(H5Pset_file_locking(access.get(), false, true), path, "open it as HDF5");
   hid_t file = H5I_INVALID_HID;
   for (int i = 0; i < kTries && file < 0; ++i) {
-    file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+    file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get());
   }
   return h5_own(file, H5Fclose, path, "open it as HDF5");
 }

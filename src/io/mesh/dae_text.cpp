@@ -77,12 +77,27 @@ void keep_only_bump(pugi::xml_node parent) {
   }
 }
 
+// assimp ends on an image without a file.
+void keep_only_files(pugi::xml_node images) {
+  for (pugi::xml_node image = images.first_child(), next; image; image = next) {
+    next = image.next_sibling();
+    const pugi::xml_node from = image.child("init_from");
+    if (!image.attribute("id") || (xml_text(from).empty() && xml_text(from.child("ref")).empty())) {
+      images.remove_child(image);
+    }
+  }
+}
+
 // What to write instead of an element at the root.
 std::string replacement(pugi::xml_node element) {
-  if (element.name() != std::string_view("library_effects")) {
+  const std::string_view name = element.name();
+  if (name == "library_images") {
+    keep_only_files(element);
+  } else if (name == "library_effects") {
+    keep_only_bump(element);
+  } else {
     return "";
   }
-  keep_only_bump(element);
   std::ostringstream text;
   element.print(text, "", pugi::format_raw, pugi::encoding_utf8);
   return text.str();
@@ -90,9 +105,9 @@ std::string replacement(pugi::xml_node element) {
 
 bool has_no_shape(pugi::xml_node element) {
   static const std::set<std::string_view> kOthers = {
-      "library_animations",        "library_animation_clips", "library_cameras",
-      "library_effects",           "library_force_fields",    "library_lights",
-      "library_physics_materials", "library_physics_models",  "library_physics_scenes"};
+      "library_animations",     "library_animation_clips", "library_cameras", "library_effects",
+      "library_force_fields",   "library_images",          "library_lights",  "library_physics_materials",
+      "library_physics_models", "library_physics_scenes"};
   return kOthers.contains(element.name());
 }
 

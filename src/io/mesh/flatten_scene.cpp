@@ -37,6 +37,7 @@ struct FlattenSettings {
 struct PlacedMesh {
   const aiMesh* mesh = nullptr;
   std::string node;
+  std::size_t node_index = 0;  // In the order of the walk.
   Eigen::Affine3d mesh_from_part;
 };
 
@@ -50,13 +51,14 @@ Eigen::Affine3d affine_from(const aiMatrix4x4& m) {
 }
 
 void collect_parts(const aiScene& scene, const aiNode& node, const Eigen::Affine3d& mesh_from_parent,
-                   std::vector<PlacedMesh>& parts) {
+                   std::vector<PlacedMesh>& parts, std::size_t& node_count) {
+  const std::size_t index = node_count++;
   const Eigen::Affine3d mesh_from_node = mesh_from_parent * affine_from(node.mTransformation);
   for (unsigned i = 0; i < node.mNumMeshes; ++i) {
-    parts.push_back({scene.mMeshes[node.mMeshes[i]], node.mName.C_Str(), mesh_from_node});
+    parts.push_back({scene.mMeshes[node.mMeshes[i]], node.mName.C_Str(), index, mesh_from_node});
   }
   for (unsigned i = 0; i < node.mNumChildren; ++i) {
-    collect_parts(scene, *node.mChildren[i], mesh_from_node, parts);
+    collect_parts(scene, *node.mChildren[i], mesh_from_node, parts, node_count);
   }
 }
 
@@ -124,6 +126,7 @@ class Flattener {
       constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
       mesh_.triangles.resize(mesh_.triangles.size() + lost->second, {kNone, kNone, kNone});
     }
+    part_of_triangle_.resize(mesh_.triangles.size(), part_index(part));
     add_slot(slot_of(material_name_of(scene_, *part.mesh)));
     add_relief(*part.mesh);
   }
@@ -138,10 +141,25 @@ class Flattener {
     if (!mesh_.reliefs.empty()) {
       mesh_.reliefs.resize(mesh_.material_names.size());
     }
-    return {std::move(mesh_), lines_and_points_, std::move(notes_)};
+    return {std::move(mesh_), lines_and_points_, std::move(notes_), std::move(part_names_),
+            std::move(part_of_triangle_)};
   }
 
  private:
+  // OBJ's groups of equal names are one part; of other formats each node is one.
+  std::uint32_t part_index(const PlacedMesh& part) {
+    const std::string given = as_utf8(part.node.empty() ? part.mesh->mName.C_Str() : part.node);
+    const std::string name = given.empty() ? "part" : given;
+    const bool is_obj = ending_of(settings_.path) == ".obj";
+    const auto [entry, is_new] =
+        parts_.try_emplace(is_obj ? name : std::to_string(part.node_index), static_cast<std::uint32_t>(parts_.size()));
+    if (is_new) {
+      const int count = ++names_[name];
+      part_names_.push_back(count == 1 ? name : fmt::format("{}_{}", name, count));
+    }
+    return entry->second;
+  }
+
   void add_vertices(const aiMesh& part, const Eigen::Affine3d& mesh_from_part) {
     // Normals are transformed by the matrix of cofactors: the inverse transpose times the determinant, which may be 0.
     const Eigen::Matrix3d& m = mesh_from_part.linear();
@@ -251,6 +269,10 @@ class Flattener {
   std::map<std::string, std::uint16_t> slots_;  // By material name.
   std::set<unsigned> seen_;                     // Materials whose maps have been read.
   std::vector<std::string> notes_;
+  std::map<std::string, std::uint32_t> parts_;  // By name, or number of the node.
+  std::map<std::string, int> names_;            // How many parts have a name.
+  std::vector<std::string> part_names_;
+  std::vector<std::uint32_t> part_of_triangle_;
   std::size_t slots_added_ = 0;
   std::size_t lines_and_points_ = 0;
   std::vector<Vec3f> corners_;                     // Corners of the present face,
@@ -277,7 +299,8 @@ FlattenedScene read_mesh(const std::filesystem::path& path, const std::string& s
     mesh_from_file.linear() << 1, 0, 0, 0, 0, -1, 0, 1, 0;  // y up to z up.
   }
   std::vector<PlacedMesh> parts;
-  collect_parts(scene, *scene.mRootNode, mesh_from_file, parts);
+  std::size_t node_count = 0;
+  collect_parts(scene, *scene.mRootNode, mesh_from_file, parts, node_count);
   if (!settings.submesh.empty()) {
     choose_parts(parts, settings);
   }

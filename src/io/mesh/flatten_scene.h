@@ -13,9 +13,11 @@
 namespace insonify {
 
 struct FlattenedScene {
-  Mesh mesh;                         ///< Not cleaned. Normals are zero if the file has none.
-  std::size_t lines_and_points = 0;  ///< Number of faces dropped because they have fewer than 3 corners.
-  std::vector<std::string> notes;    ///< Warnings about other parts that were not read.
+  Mesh mesh;                                 ///< Not cleaned. Normals are zero if the file has none.
+  std::size_t lines_and_points = 0;          ///< Number of faces dropped because they have fewer than 3 corners.
+  std::vector<std::string> notes;            ///< Warnings about other parts that were not read.
+  std::vector<std::string> part_names = {};  ///< Of nodes, or their meshes; unique, "part" without a name.
+  std::vector<std::uint32_t> part_of_triangle = {};  ///< Index in `part_names`; empty if the format has no parts.
 };
 
 /// Transforms every mesh by its nodes (restoring the winding of mirrored ones) and makes one slot of each material
@@ -38,16 +40,26 @@ template <typename Parts>
 requires(std::is_same_v<std::remove_const_t<Parts>, FlattenedScene>) [[nodiscard]] auto members(Parts& scene) {
   auto& mesh = scene.mesh;
   return std::tie(mesh.vertices, mesh.normals, mesh.triangles, mesh.material_slots, mesh.material_names,
-                  mesh.texture_coordinates, mesh.reliefs, scene.lines_and_points, scene.notes);
+                  mesh.texture_coordinates, mesh.reliefs, scene.lines_and_points, scene.notes, scene.part_names,
+                  scene.part_of_triangle);
 }
 
-/// What clean_mesh() does not look at.
+/// What clean_mesh() does not look at, and what parts are made by before it does.
 [[nodiscard]] inline bool fits(const FlattenedScene& scene) {
+  const auto& mesh = scene.mesh;
   const auto is_tile = [](const auto& tile) {
     return tile.columns >= 0 && tile.rows >= 0 && tile.texels.size() == std::size_t{1} * tile.columns * tile.rows;
   };
-  return scene.mesh.normals.size() == scene.mesh.vertices.size() &&
-         std::ranges::all_of(scene.mesh.reliefs, [&](const auto& relief) {
+  const auto is_for_each_triangle = [&](const auto& list) {
+    return list.empty() || list.size() == mesh.triangles.size();
+  };
+  return mesh.normals.size() == mesh.vertices.size() && (mesh.triangles.empty() || !mesh.material_names.empty()) &&
+         is_for_each_triangle(scene.part_of_triangle) && is_for_each_triangle(mesh.material_slots) &&
+         is_for_each_triangle(mesh.texture_coordinates) &&
+         (mesh.reliefs.empty() || mesh.reliefs.size() == mesh.material_names.size()) &&
+         std::ranges::all_of(scene.part_of_triangle, [&](auto part) { return part < scene.part_names.size(); }) &&
+         std::ranges::all_of(mesh.material_slots, [&](auto slot) { return slot < mesh.material_names.size(); }) &&
+         std::ranges::all_of(mesh.reliefs, [&](const auto& relief) {
            return relief == nullptr || (is_tile(relief->slopes) && is_tile(relief->reflectivity));
          });
 }

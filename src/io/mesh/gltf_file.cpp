@@ -98,6 +98,9 @@ std::string bytes_of_data_uri(const std::string& uri) {
   return uri.substr(0, comma).find(";base64") == std::string::npos ? percent_decoded(data) : base64_decoded(data);
 }
 
+// A backslash in JSON is two.
+constexpr std::string_view kJsonEscape = "\\\\x";
+
 std::uint32_t number_at(const std::string& text, std::size_t at) {
   std::uint32_t number = 0;
   std::memcpy(&number, text.data() + at, sizeof number);
@@ -112,7 +115,7 @@ GltfFile::GltfFile(const std::filesystem::path& path) : path_(path) {
     read_glb(text);
     return;
   }
-  text = as_utf8(text.substr(text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0));
+  text = as_utf8(text.substr(text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0), kJsonEscape);
   try {
     json = nlohmann::json::parse(text);
   } catch (const nlohmann::json::parse_error& error) {
@@ -142,7 +145,7 @@ void GltfFile::read_glb(const std::string& text) {
     at += kChunkHeader + size;
   }
   try {
-    json = nlohmann::json::parse(as_utf8(chunks.front()));
+    json = nlohmann::json::parse(as_utf8(chunks.front(), kJsonEscape));
   } catch (const nlohmann::json::parse_error&) {
     fail("its first chunk is not valid JSON");
   }

@@ -8,6 +8,9 @@
 #include <assimp/config.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <new>
 #include <set>
 
@@ -25,7 +28,7 @@ using FilesInMemory = std::map<std::string, std::string>;
 // Opens files in memory; others, such as buffers and material libraries, as usual.
 class MemoryFirst : public Assimp::DefaultIOSystem {
  public:
-  explicit MemoryFirst(const FilesInMemory& files) : files_(files) {}
+  MemoryFirst(const FilesInMemory& files, bool is_obj) : files_(files), is_obj_(is_obj) {}
 
   bool Exists(const char* file) const override { return find(file) != nullptr || DefaultIOSystem::Exists(file); }
 
@@ -33,10 +36,19 @@ class MemoryFirst : public Assimp::DefaultIOSystem {
     if (const std::string* text = find(file)) {
       return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(text->data()), text->size());
     }
-    return DefaultIOSystem::Open(file, mode);
+    // The mesh itself is in memory, so that what else an OBJ opens is its library of materials.
+    return is_obj_ && DefaultIOSystem::Exists(file) ? open_library(file) : DefaultIOSystem::Open(file, mode);
   }
 
  private:
+  static Assimp::IOStream* open_library(const char* file) {
+    std::ifstream stream(file, std::ios::binary);
+    const std::string text = mend_mtl(std::string(std::istreambuf_iterator<char>(stream), {}));
+    auto* bytes = new std::uint8_t[text.size()];  // The stream deletes them.
+    std::ranges::copy(text, bytes);
+    return new Assimp::MemoryIOStream(bytes, text.size(), true);
+  }
+
   [[nodiscard]] const std::string* find(const std::string& file) const {
     auto found = files_.find(file);
     found = found == files_.end() ? files_.find(std::filesystem::path(file).filename().string()) : found;
@@ -44,6 +56,7 @@ class MemoryFirst : public Assimp::DefaultIOSystem {
   }
 
   const FilesInMemory& files_;
+  bool is_obj_;
 };
 
 // What assimp is given in place of a file.
@@ -129,7 +142,7 @@ ImportedScene import_scene(Assimp::Importer& importer, const std::filesystem::pa
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
-  importer.SetIOHandler(new MemoryFirst(mended.files));
+  importer.SetIOHandler(new MemoryFirst(mended.files, ending == ".obj"));
   importer.ReadFile(mended.name, kNoSteps);
   importer.SetIOHandler(new Assimp::DefaultIOSystem);  // Deletes the other one.
 

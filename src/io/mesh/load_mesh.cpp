@@ -5,13 +5,17 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <new>
+#include <optional>
 #include <set>
+#include <span>
 
 #include "base/log_line.h"
 #include "base/utf8.h"
 #include "insonify/error.h"
 #include "insonify/files.h"
+#include "insonify/printable.h"
 #include "io/file/input_file.h"
 #include "io/file/reader_process.h"
 #include "io/mesh/flatten_scene.h"
@@ -80,13 +84,19 @@ void log_report(const MeshReport& report, std::size_t lines_and_points, const st
   }
 }
 
-Mesh load_and_clean(const std::filesystem::path& path, const Submesh& submesh, const Log& log) {
-  auto [mesh, lines_and_points, notes] = read(path, submesh.name);
-  if (mesh.triangles.empty()) {
-    throw Error(fmt::format(
-        "{}: no triangles{}", path.string(),
-        lines_and_points > 0 ? ", only " + counted(lines_and_points, "line or point", "lines or points") : ""));
+void check_not_empty(const FlattenedScene& scene, const std::filesystem::path& path) {
+  if (scene.mesh.triangles.empty()) {
+    throw Error(fmt::format("{}: no triangles{}", path.string(),
+                            scene.lines_and_points > 0
+                                ? ", only " + counted(scene.lines_and_points, "line or point", "lines or points")
+                                : ""));
   }
+}
+
+Mesh load_and_clean(const std::filesystem::path& path, const Submesh& submesh, const Log& log) {
+  FlattenedScene scene = read(path, submesh.name);
+  check_not_empty(scene, path);
+  Mesh& mesh = scene.mesh;
   mesh.name = path.string();  // For the messages of clean_mesh.
   const MeshReport report = clean_mesh(mesh);
   mesh.name = as_utf8(path.stem().string());
@@ -95,12 +105,64 @@ Mesh load_and_clean(const std::filesystem::path& path, const Submesh& submesh, c
   }
 
   const std::string name = path.string();
-  log_report(report, lines_and_points, name, log);
+  log_report(report, scene.lines_and_points, name, log);
   warn_of_rounding(mesh, name, log);
-  for (const std::string& note : notes) {
+  for (const std::string& note : scene.notes) {
     log_line(log, Severity::kWarning, fmt::format("{}: {}", name, note));
   }
+  return std::move(mesh);
+}
+
+// Some triangles of a scene as a mesh of their own, with their vertices and materials.
+Mesh part_of(const FlattenedScene& scene, std::span<const std::size_t> triangles) {
+  const Mesh& whole = scene.mesh;
+  Mesh mesh;
+  mesh.material_names.clear();
+  std::map<std::uint32_t, std::uint32_t> vertices;  // New index by the old one.
+  std::map<std::uint16_t, std::uint16_t> slots;
+  for (const std::size_t i : triangles) {
+    std::array<std::uint32_t, 3> triangle = whole.triangles[i];
+    for (std::uint32_t& corner : triangle) {
+      if (corner < whole.vertices.size()) {
+        const auto [entry, is_new] = vertices.try_emplace(corner, static_cast<std::uint32_t>(mesh.vertices.size()));
+        if (is_new) {
+          mesh.vertices.push_back(whole.vertices[corner]);
+          mesh.normals.push_back(whole.normals[corner]);
+        }
+        corner = entry->second;
+      }
+    }
+    mesh.triangles.push_back(triangle);
+    const std::uint16_t slot = whole.slot_of(i);
+    const auto [entry, is_new] = slots.try_emplace(slot, static_cast<std::uint16_t>(slots.size()));
+    if (is_new) {
+      mesh.material_names.push_back(whole.material_names[slot]);
+      mesh.reliefs.push_back(whole.reliefs.empty() ? nullptr : whole.reliefs[slot]);
+    }
+    mesh.material_slots.push_back(entry->second);
+    if (!whole.texture_coordinates.empty()) {
+      mesh.texture_coordinates.push_back(whole.texture_coordinates[i]);
+    }
+  }
+  if (std::ranges::all_of(mesh.reliefs, [](const auto& relief) { return relief == nullptr; })) {
+    mesh.reliefs.clear();
+  }
+  if (slots.size() == 1) {
+    mesh.material_slots.clear();
+  }
   return mesh;
+}
+
+// The mesh of another format that somebody has converted a file to: beside it, with its name.
+std::optional<std::filesystem::path> converted_mesh(const std::filesystem::path& path) {
+  std::error_code ignored;
+  for (const std::string_view ending : kEndings) {
+    std::filesystem::path beside = path;
+    if (std::filesystem::is_regular_file(beside.replace_extension(ending), ignored)) {
+      return beside;
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -118,6 +180,12 @@ Mesh load_mesh_file(const std::filesystem::path& path, const Submesh& submesh, c
   if (!is_mesh_file(path)) {
     static const std::set<std::string> kOpenSceneGraph = {".osgb", ".osg", ".osgt", ".ive"};
     if (kOpenSceneGraph.contains(ending_of(path))) {
+      if (const std::optional<std::filesystem::path> beside = converted_mesh(path)) {
+        log_line(log, Severity::kWarning,
+                 fmt::format("{}: OpenSceneGraph's files are not read; {} beside it is", path.string(),
+                             beside->filename().string()));
+        return load_mesh_file(*beside, submesh, log);
+      }
       const std::string stem = path.stem().string();
       throw Error(fmt::format("{0}: OpenSceneGraph's files are not read; convert it: osgconv {1} {2}.obj",
                               path.string(), path.filename().string(), stem));
@@ -134,6 +202,39 @@ Mesh load_mesh_file(const std::filesystem::path& path, const Submesh& submesh, c
   } catch (const std::bad_alloc&) {
     throw Error(path.string() + ": takes more memory than there is");
   }
+}
+
+std::vector<Mesh> load_mesh_parts(const std::filesystem::path& path, const Log& log) {
+  check_input_file(path);
+  const FlattenedScene scene = is_mesh_file(path) ? read(path, "") : FlattenedScene();
+  if (scene.part_of_triangle.empty()) {
+    Mesh whole = load_mesh(path, log);
+    return {std::move(whole)};
+  }
+  check_not_empty(scene, path);
+  std::vector<Mesh> parts;
+  std::vector<std::vector<std::size_t>> triangles(scene.part_names.size());
+  for (std::size_t i = 0; i < scene.part_of_triangle.size(); ++i) {
+    triangles[scene.part_of_triangle[i]].push_back(i);
+  }
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    if (triangles[i].empty()) {
+      continue;
+    }
+    Mesh part = part_of(scene, triangles[i]);
+    part.name = scene.part_names[i];
+    const std::string name = fmt::format("{}: {}", path.string(), printable(part.name, kLongestName));
+    try {
+      log_report(clean_mesh(part), 0, name, log);
+      parts.push_back(std::move(part));
+    } catch (const Error& error) {
+      log_line(log, Severity::kWarning, fmt::format("{}: {}", path.string(), error.what()));
+    }
+  }
+  if (parts.empty()) {
+    throw Error(path.string() + ": no part has a triangle");
+  }
+  return parts;
 }
 
 Mesh load_mesh(const std::filesystem::path& path, const Log& log) {

@@ -14,6 +14,10 @@ namespace insonify {
 /// @throws Error "PATH:LINE: STATEMENT: REASON".
 [[nodiscard]] std::string mend_obj(std::string_view text, const std::filesystem::path& path);
 
+/// A material library with nothing but names of materials and their maps of small normals or heights: assimp refuses
+/// libraries, and with them their meshes, for faults in colours.
+[[nodiscard]] std::string mend_mtl(std::string_view text);
+
 /// Finds the faulty line of a text that assimp has refused.
 /// @throws Error "PATH:LINE: STATEMENT: REASON". Returns if all normals and indices are correct.
 void check_obj_indices(std::string_view text, const std::filesystem::path& path);

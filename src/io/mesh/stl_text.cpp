@@ -59,42 +59,50 @@ std::string mend_stl_text(std::string_view text, const std::filesystem::path& pa
   return mended;
 }
 
-}  // namespace
-
-std::string mend_stl(const std::filesystem::path& path, std::vector<std::string>& notes) {
-  std::string text = read_text(path);
+std::uint64_t stl_count(std::string_view text) {
   std::uint64_t triangles = 0;
   for (std::size_t i = std::min(kStlHeader, text.size()); i-- > kStlTitle;) {
     triangles = triangles << 8 | static_cast<unsigned char>(text[i]);
   }
-  const std::uint64_t expected = kStlHeader + triangles * kStlTriangle;
-  if (text.size() == expected) {
-    return text;
-  }
-  const std::string_view start = std::string_view(text).substr(0, kStlHeader);
+  return triangles;
+}
+
+// Where the text begins with "solid"; npos for a binary file, which may do so too, but has zeros in its header.
+std::size_t begin_of_stl_text(std::string_view text) {
+  const std::string_view start = text.substr(0, kStlHeader);
   const std::size_t mark = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
   const std::size_t word = start.find_first_not_of(" \t\r\n", mark);
-  if (start.find('\0') == std::string_view::npos && word != std::string_view::npos &&
-      lower_case(start.substr(word, 5)) == "solid") {
-    return mend_stl_text(std::string_view(text).substr(word), path, notes);
-  }
-  if (text.size() > kStlHeader && triangles == 0 && (text.size() - kStlHeader) % kStlTriangle == 0) {
+  const bool is_text = start.find('\0') == std::string_view::npos && word != std::string_view::npos &&
+                       lower_case(start.substr(word, 5)) == "solid";
+  return is_text ? word : std::string_view::npos;
+}
+
+}  // namespace
+
+std::string mend_stl(const std::filesystem::path& path, std::vector<std::string>& notes) {
+  std::string text = read_text(path);
+  const std::uint64_t triangles = stl_count(text), expected = kStlHeader + triangles * kStlTriangle;
+  const std::size_t begin = begin_of_stl_text(text);
+  if (text.size() == expected) {
+    // As it should be.
+  } else if (begin != std::string_view::npos) {
+    text = mend_stl_text(std::string_view(text).substr(begin), path, notes);
+  } else if (text.size() > kStlHeader && triangles == 0 && (text.size() - kStlHeader) % kStlTriangle == 0) {
     const std::uint64_t count = (text.size() - kStlHeader) / kStlTriangle;
     notes.push_back(fmt::format("its count of triangles is 0, its size that of {}", counted(count, "triangle")));
     for (std::size_t i = kStlTitle; i < kStlHeader; ++i) {
       text[i] = static_cast<char>(count >> 8 * (i - kStlTitle) & 0xff);
     }
-    return text;
-  }
-  if (text.size() > expected && triangles > 0) {
+  } else if (text.size() > expected && triangles > 0) {
     notes.push_back(fmt::format("{} behind the last triangle left out", counted(text.size() - expected, "byte")));
     text.resize(expected);
-    return text;
+  } else {
+    throw Error(
+        fmt::format("{}: is no STL: a text would begin with \"solid\"; binary, with a triangle count of {}, "
+                    "would take {} bytes, not {}",
+                    path.string(), triangles, expected, text.size()));
   }
-  throw Error(
-      fmt::format("{}: is no STL: a text would begin with \"solid\"; binary, with a triangle count of {}, "
-                  "would take {} bytes, not {}",
-                  path.string(), triangles, expected, text.size()));
+  return text;
 }
 
 }  // namespace insonify

@@ -23,4 +23,8 @@ void refuse_idle_keys(const Scenario& scenario);
 /// @param scenario  Valid, with the places of what was read.
 [[nodiscard]] std::vector<std::string> odd_settings(const Scenario& scenario);
 
+/// Adds a line for each value of a scenario's file that is valid but likely in another unit or order: an orientation in
+/// radians, a salinity in kg/kg, a quaternion with its scalar last; and for motions that do not move.
+void add_odd_values(const Scenario& scenario, std::vector<std::string>& lines);
+
 }  // namespace insonify

@@ -27,8 +27,22 @@ struct TrackChoice {
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    visit(Field{"file", "", {}, "Waypoints: CSV (.csv) or TUM (.tum, .txt), from the scenario's folder."}, self.file);
+    visit(Field{"file", "", {}, "Waypoints (.csv, .tum, .txt, .kitti), from the scenario's folder."}, self.file);
     visit(Field{"start", "s", from_to(-1e10, 1e10), "Time of the file that is 0 s of the scenario."}, self.start);
+  }
+};
+
+/// A column of such a file, an entry of its `columns`.
+struct ColumnChoice {
+  std::string name = {}, unit = {};
+  int sign = 1;
+
+  template <typename Self, typename Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit(Field{"name", "", {}, "Name of the column in the file's header."}, self.name);
+    visit(Field{"unit", "", {}, "Its unit, if the header does not say it: s, ms, us, ns, m, cm, mm, km, ft, rad, deg."},
+          self.unit);
+    visit(Field{"sign", "", from_to(-1, 1), "1, or -1 for a depth in place of z."}, self.sign);
   }
 };
 

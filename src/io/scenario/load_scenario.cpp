@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "base/log_line.h"
+#include "base/utf8.h"
 #include "insonify/files.h"
 #include "insonify/scenario_requests.h"
 #include "io/file/input_file.h"
@@ -53,7 +54,7 @@ class ScenarioReader {
     read_world();
     read_default_material();
     // Sonars last: a preset's ping period follows from the speed of sound at their depth.
-    read_parts(tree_, "", scenario_, scenario_.places, "sonars");
+    read_parts(tree_, "", scenario_, scenario_.places, log_, "sonars");
     read_sonars();
     if (scenario_.sonars.empty()) {
       refuse_missing_world();
@@ -166,6 +167,7 @@ Scenario read_scenario(const std::string& text, const std::filesystem::path& pat
   for (const std::string& setting : settings) {
     apply_setting(tree, setting);
   }
+  list_arguments(tree);
   if (has_stonefish_sonars) {
     remove_idle_stonefish_gains(tree);
   }
@@ -185,7 +187,7 @@ Scenario read_scenario(const std::string& text, const std::filesystem::path& pat
     }
     scenario.text = to_yaml(scenario);  // The file's keys of its own model would be refused beside the other model.
   } else {
-    scenario.text = settings.empty() && !has_world_sonars ? text : write_yaml(tree);
+    scenario.text = as_utf8(settings.empty() && !has_world_sonars ? text : write_yaml(tree));
   }
   return scenario;
 }

@@ -1,30 +1,25 @@
-// load_trajectory.cpp -- waypoints from a CSV or a TUM file.
+// load_trajectory.cpp -- waypoints from the rows of a text: CSV, TUM, EuRoC, KITTI.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 
+#include "base/log_line.h"
 #include "base/names.h"
 #include "insonify/files.h"
 #include "insonify/printable.h"
 #include "io/file/input_file.h"
+#include "io/scenario/track_columns.h"
 
 namespace insonify {
 namespace {
 
-// Columns of a file. Angles are either a unit quaternion, or roll, pitch and yaw in radians or in degrees.
-enum Column { kTime, kX, kY, kZ, kQw, kQx, kQy, kQz, kRoll, kPitch, kYaw, kRollDeg, kPitchDeg, kYawDeg, kColumns };
-constexpr std::array<std::string_view, kColumns> kNames = {
-    "time", "x", "y", "z", "qw", "qx", "qy", "qz", "roll", "pitch", "yaw", "roll_deg", "pitch_deg", "yaw_deg"};
-const std::vector<Column> kTumColumns = {kTime, kX, kY, kZ, kQx, kQy, kQz, kQw};
-
 // A word of a line, and its column in the file.
 struct Word {
-  std::string_view text;
+  std::string text;
   int column;
 };
 
@@ -32,16 +27,16 @@ std::vector<Word> words_by_space(std::string_view line) {
   std::vector<Word> words;
   for (std::size_t at = 0; (at = line.find_first_not_of(" \t", at)) != std::string_view::npos;) {
     const std::size_t end = std::min(line.find_first_of(" \t", at), line.size());
-    words.push_back({line.substr(at, end - at), static_cast<int>(at) + 1});
+    words.push_back({std::string(line.substr(at, end - at)), static_cast<int>(at) + 1});
     at = end;
   }
   return words;
 }
 
-std::vector<Word> words_by_comma(std::string_view line) {
+std::vector<Word> words_by(char separator, std::string_view line) {
   std::vector<Word> words;
   for (std::size_t at = 0; at <= line.size();) {
-    const std::size_t end = std::min(line.find(',', at), line.size());
+    const std::size_t end = std::min(line.find(separator, at), line.size());
     const std::size_t first = std::min(line.find_first_not_of(" \t", at), end);
     const std::size_t last = line.find_last_not_of(" \t", end - (end > 0 ? 1 : 0));
     const std::size_t length = first < end && last != std::string_view::npos && last >= first ? last - first + 1 : 0;
@@ -49,75 +44,130 @@ std::vector<Word> words_by_comma(std::string_view line) {
     if (text.size() > 1 && text.front() == '"' && text.back() == '"') {  // Some programs quote numbers too.
       text = text.substr(1, text.size() - 2);
     }
-    words.push_back({text, static_cast<int>(first) + 1});
+    words.push_back({std::string(text), static_cast<int>(first) + 1});
     at = end + 1;
+  }
+  if (words.size() > 1 && words.back().text.empty()) {  // A separator at the end of the line.
+    words.pop_back();
   }
   return words;
 }
 
+// What separates words: a semicolon (numbers may then have decimal commas), a comma, a tab if each word has one (names
+// may then have blanks), or white space.
+char separator_of(std::string_view line) {
+  constexpr long kLeastTabs = 3;
+  const auto has = [&](char c) { return line.find(c) != std::string_view::npos; };
+  return has(';') ? ';' : has(',') ? ',' : std::ranges::count(line, '\t') >= kLeastTabs ? '\t' : ' ';
+}
+
+std::optional<double> number_in(const std::string& word, char separator) {
+  std::string text = word;
+  if (separator == ';') {
+    std::ranges::replace(text, ',', '.');
+  }
+  text.erase(0, text.size() > 1 && text.front() == '+' && text[1] != '-' ? 1 : 0);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool is_number = error == std::errc() && end == text.data() + text.size() && std::isfinite(value);
+  return is_number ? std::optional(value) : std::nullopt;
+}
+
+constexpr std::size_t kKittiNumbers = 12;  // A matrix of 3 x 4, without a time.
+constexpr double kKittiPeriod = 0.1;       // [s]
+
 class TrajectoryReader {
  public:
-  explicit TrajectoryReader(const std::filesystem::path& path)
-      : path_(path), text_(read_text(path)), is_csv_(ending_of(path) == ".csv") {}
+  TrajectoryReader(const std::filesystem::path& path, const TrajectoryColumns& given, const Log& log)
+      : path_(path), given_(given), log_(log), text_(read_text(path)) {}
 
   Trajectory read() {
-    if (!is_csv_) {
-      columns_ = kTumColumns;
-    }
     std::string_view rest = text_;
-    if (rest.starts_with("\xef\xbb\xbf")) {  // Byte-order mark.
-      rest.remove_prefix(3);
-    }
+    rest.remove_prefix(rest.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0);
     while (!rest.empty()) {
       const std::size_t end = std::min(rest.find('\n'), rest.size());
       ++line_;
-      take(rest.substr(0, end));
+      std::string_view line = rest.substr(0, end);
+      line.remove_suffix(line.ends_with('\r') ? 1 : 0);
+      take(line);
       rest.remove_prefix(std::min(end + 1, rest.size()));
     }
     if (trajectory_.waypoints.empty()) {
       throw Error(fmt::format("{}: holds no waypoints", path_.string()));
     }
+    report();
     return std::move(trajectory_);
   }
 
  private:
   [[nodiscard]] Place place(int column = 1) const { return {path_.string(), line_, column}; }
 
+  [[nodiscard]] std::vector<Word> words_of(std::string_view line) const {
+    return separator_ == ' ' ? words_by_space(line) : words_by(separator_, line);
+  }
+
   void take(std::string_view line) {
-    if (line.ends_with('\r')) {
-      line.remove_suffix(1);
-    }
-    if (const std::size_t first = line.find_first_not_of(" \t");
-        first == std::string_view::npos || line[first] == '#') {
+    const std::size_t first = line.find_first_not_of(" \t");
+    if (first == std::string_view::npos) {
       return;
     }
-    const std::vector<Word> words = is_csv_ ? words_by_comma(line) : words_by_space(line);
     if (columns_.empty()) {
-      read_header(words);
+      begin(line, line[first] == '#' || line[first] == '%');
+    } else if (line[first] != '#') {
+      add_waypoint(words_of(line));
+    }
+  }
+
+  // The first lines say what the columns are: a header, which may be a comment, or the number of values.
+  void begin(std::string_view line, bool is_comment) {
+    separator_ = separator_of(line);
+    const std::vector<Word> words = words_of(line);
+    std::vector<std::string> texts;
+    for (const Word& word : words) {
+      texts.push_back(word.text);
+    }
+    if (is_comment && texts.size() > 1 && texts[0].find_first_not_of("#%") == std::string::npos) {
+      texts.erase(texts.begin());  // A mark by itself.
+    }
+    if (is_comment && !is_track_header(texts)) {
       return;
     }
-    if (words.size() != columns_.size()) {
-      throw Error(fmt::format("has {} values, must have {}: {}", words.size(), columns_.size(), column_names()))
-          .at(place());
+    if (is_comment || !number_in(texts[0], separator_)) {
+      read_header(words, texts);
+      return;
+    }
+    constexpr double kNanoseconds = 1e15;  // No time in seconds is so long.
+    if (texts.size() == kKittiNumbers) {
+      columns_.resize(kKittiNumbers);
+      read_kitti_times();
+    } else if (number_in(texts[0], separator_) > kNanoseconds) {
+      columns_ = euroc_columns();
+    } else if (ending_of(path_) == ".csv" && given_.empty()) {
+      read_header(words, texts);
+      return;
+    } else {
+      columns_ = tum_columns();
+    }
+    if (!given_.empty()) {
+      throw Error("`columns` needs a header that names the columns of the file").at(place());
+    }
+    for (std::size_t i = columns_.size(); i < texts.size(); ++i) {
+      columns_.push_back({.name = fmt::format("column {}", i + 1)});
     }
     add_waypoint(words);
   }
 
-  void read_header(const std::vector<Word>& words) {
-    const std::vector<std::string> known(kNames.begin(), kNames.end());
-    for (const Word& word : words) {
-      const auto name = std::ranges::find(kNames, word.text);
-      if (name == kNames.end()) {
-        const std::string nearest = suggestion(word.text, known), hint = nearest.empty() ? "." : nearest;
-        throw Error(fmt::format("\"{}\" is not a column of a trajectory{} There are {}", printable(word.text), hint,
-                                fmt::join(kNames, ", ")))
-            .at(place(word.column));
+  void read_header(const std::vector<Word>& words, const std::vector<std::string>& texts) {
+    try {
+      columns_ = columns_of_header(texts, given_);
+    } catch (const Error& error) {
+      throw error.at(place());
+    }
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      const auto is_same = [&](const TrackColumn& other) { return other.number == columns_[i].number; };
+      if (columns_[i].number && std::any_of(columns_.begin(), columns_.begin() + static_cast<long>(i), is_same)) {
+        throw Error(fmt::format("{} is given twice", kTrackNames[*columns_[i].number])).at(place(words[i].column));
       }
-      const auto column = static_cast<Column>(name - kNames.begin());
-      if (has(column)) {
-        throw Error(fmt::format("{} is given twice", word.text)).at(place(word.column));
-      }
-      columns_.push_back(column);
     }
     const int quaternion = count({kQw, kQx, kQy, kQz}), radians = count({kRoll, kPitch, kYaw}),
               degrees = count({kRollDeg, kPitchDeg, kYawDeg});
@@ -125,15 +175,77 @@ class TrajectoryReader {
         (quaternion > 0) + (radians > 0) + (degrees > 0) > 1) {
       throw Error(fmt::format("the columns are {}; they must be time, x, y, z and, for the orientation, either qw, qx, "
                               "qy, qz or roll, pitch, yaw [rad] or roll_deg, pitch_deg, yaw_deg",
-                              column_names()))
+                              printable(fmt::format("{}", fmt::join(texts, ", ")), kLongestName)))
           .at(place());
     }
   }
 
+  // Poses of KITTI have their times in a file of their own beside them.
+  void read_kitti_times() {
+    const std::filesystem::path file = path_.parent_path() / "times.txt";
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored)) {
+      log_line(log_, Severity::kWarning,
+               fmt::format("{}: matrices of KITTI, without a times.txt beside it: they are taken {} s apart",
+                           path_.string(), kKittiPeriod));
+      return;
+    }
+    for (const Word& word : words_by_space(spaced(read_text(file)))) {
+      const std::optional<double> time = number_in(word.text, ' ');
+      if (!time) {
+        throw Error(fmt::format("{}: \"{}\" must be a number", file.string(), printable(word.text)));
+      }
+      times_.push_back(*time);
+    }
+  }
+
+  static std::string spaced(std::string text) {
+    std::ranges::replace(text, '\n', ' ');
+    std::ranges::replace(text, '\r', ' ');
+    return text;
+  }
+
   void add_waypoint(const std::vector<Word>& words) {
-    std::array<double, kColumns> values{};
+    if (words.size() != columns_.size() && !has_spare(words.size())) {
+      const char other = separator_of(text_.substr(0, text_.find('\n')));
+      throw Error(fmt::format("has {} values, must have {}: {}{}", words.size(), columns_.size(), column_names(),
+                              words.size() == 1 && other != separator_ ? "; are they separated otherwise?" : ""))
+          .at(place());
+    }
+    Waypoint waypoint = is_kitti() ? kitti_waypoint(words) : named_waypoint(words);
+    try {
+      check_fields("", waypoint);
+    } catch (const Error& error) {
+      throw error.at(place());
+    }
+    if (!trajectory_.waypoints.empty() && waypoint.time == trajectory_.waypoints.back().time) {
+      ++equal_times_;
+      return;
+    }
+    if (!trajectory_.waypoints.empty() && waypoint.time < trajectory_.waypoints.back().time) {
+      throw Error(fmt::format("time = {} s must be greater than the one before it, {} s", waypoint.time,
+                              trajectory_.waypoints.back().time))
+          .at(place());
+    }
+    trajectory_.waypoints.push_back(waypoint);
+  }
+
+  // Whether all numbers are there, though not all columns that are not read.
+  [[nodiscard]] bool has_spare(std::size_t count) const {
+    return !is_kitti() &&
+           std::none_of(columns_.begin() + static_cast<long>(std::min(count, columns_.size())), columns_.end(),
+                        [](const TrackColumn& column) { return column.number.has_value(); }) &&
+           count < columns_.size();
+  }
+
+  [[nodiscard]] bool is_kitti() const { return columns_.size() == kKittiNumbers && count({kTime}) == 0; }
+
+  [[nodiscard]] Waypoint named_waypoint(const std::vector<Word>& words) {
+    std::array<double, kNumbers> values{};
     for (std::size_t i = 0; i < words.size(); ++i) {
-      values[columns_[i]] = number(words[i], kNames[columns_[i]]);
+      if (const auto column = columns_[i].number) {
+        values[*column] = number(words[i], kTrackNames[*column]) * columns_[i].factor;
+      }
     }
     Waypoint waypoint;
     waypoint.time = values[kTime];
@@ -145,18 +257,30 @@ class TrajectoryReader {
                               radians_from_degrees(values[kYawDeg])};
     } else {
       waypoint.orientation = {values[kRoll], values[kPitch], values[kYaw]};
+      largest_turn_ = std::max(largest_turn_, waypoint.orientation.cwiseAbs().maxCoeff());
     }
-    try {
-      check_fields("", waypoint);
-    } catch (const Error& error) {
-      throw error.at(place());
+    return waypoint;
+  }
+
+  [[nodiscard]] Waypoint kitti_waypoint(const std::vector<Word>& words) {
+    Eigen::Matrix<double, 3, 4> matrix;
+    for (int i = 0; i < static_cast<int>(kKittiNumbers); ++i) {
+      matrix(i / 4, i % 4) = number(words[static_cast<std::size_t>(i)], "the matrix");
     }
-    if (!trajectory_.waypoints.empty() && waypoint.time <= trajectory_.waypoints.back().time) {
-      throw Error(fmt::format("time = {:.10g} s must be greater than the one before it, {:.10g} s", waypoint.time,
-                              trajectory_.waypoints.back().time))
-          .at(place());
+    const std::size_t row = kitti_rows_++;
+    if (!times_.empty() && row >= times_.size()) {
+      throw Error(fmt::format("times.txt has {} times, fewer than there are matrices", times_.size())).at(place());
     }
-    trajectory_.waypoints.push_back(waypoint);
+    Waypoint waypoint;
+    waypoint.time = times_.empty() ? static_cast<double>(row) * kKittiPeriod : times_[row];
+    waypoint.position = matrix.col(3);
+    const Eigen::Matrix3d turn = matrix.leftCols<3>();
+    constexpr double kTolerance = 0.01;
+    if (!((turn * turn.transpose() - Eigen::Matrix3d::Identity()).norm() < kTolerance) || turn.determinant() < 0) {
+      throw Error("the matrix does not turn: its rows must be orthogonal, of norm 1").at(place());
+    }
+    waypoint.orientation = rpy_from_orientation(Eigen::Quaterniond(turn).normalized());
+    return waypoint;
   }
 
   // Normalises quaternions that were written with few digits.
@@ -169,46 +293,76 @@ class TrajectoryReader {
   }
 
   [[nodiscard]] double number(const Word& word, std::string_view name) const {
-    std::string_view text = word.text;
-    if (text.size() > 1 && text.front() == '+' && text[1] != '-') {
-      text.remove_prefix(1);
-    }
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
+    const std::optional<double> value = number_in(word.text, separator_);
+    if (!value) {
       throw Error(fmt::format("{} = \"{}\" must be a number", name, printable(word.text))).at(place(word.column));
     }
-    return value;
+    return *value;
   }
 
-  [[nodiscard]] bool has(Column column) const { return std::ranges::find(columns_, column) != columns_.end(); }
-  [[nodiscard]] int count(std::initializer_list<Column> columns) const {
-    return static_cast<int>(std::ranges::count_if(columns, [&](Column column) { return has(column); }));
+  void report() const {
+    std::vector<std::string> unread;
+    const std::vector<std::string> known(kTrackNames.begin(), kTrackNames.end());
+    for (const TrackColumn& column : columns_) {
+      if (!column.number && !is_kitti()) {
+        const bool is_known = std::ranges::count(known, column.name) > 0;  // But `columns` says that it is another.
+        const std::string nearest = is_known ? "" : suggestion(column.name, known);  // "; did you mean yaw?"
+        unread.push_back(printable(column.name) + (nearest.empty() ? "" : " (" + nearest.substr(2) + ")"));
+      }
+    }
+    if (!unread.empty()) {
+      log_line(log_, Severity::kWarning,
+               fmt::format("{}: columns that are not read: {}", path_.string(), fmt::join(unread, ", ")));
+    }
+    constexpr double kMostTurns = 20;  // [rad] A heading that is not wrapped may be beyond one turn.
+    if (largest_turn_ > kMostTurns) {
+      log_line(log_, Severity::kWarning,
+               fmt::format("{}: has an angle of {:.4g} rad; in degrees the columns are roll_deg, pitch_deg, yaw_deg",
+                           path_.string(), largest_turn_));
+    }
+    if (equal_times_ > 0) {
+      log_line(log_, Severity::kWarning,
+               fmt::format("{}: {} left out, with the time of the one before", path_.string(),
+                           counted(equal_times_, "row")));
+    }
+  }
+
+  [[nodiscard]] bool has(TrackNumber number) const { return count({number}) > 0; }
+  [[nodiscard]] int count(std::initializer_list<TrackNumber> numbers) const {
+    return static_cast<int>(std::ranges::count_if(columns_, [&](const TrackColumn& column) {
+      return column.number && std::ranges::count(numbers, *column.number) > 0;
+    }));
   }
   [[nodiscard]] std::string column_names() const {
-    std::vector<std::string_view> names;
-    for (const Column column : columns_) {
-      names.push_back(kNames[column]);
+    std::vector<std::string> names;
+    for (const TrackColumn& column : columns_) {
+      names.push_back(printable(column.name));
     }
-    return fmt::format("{}", fmt::join(names, ", "));
+    return is_kitti() ? "a matrix of 3 x 4" : fmt::format("{}", fmt::join(names, ", "));
   }
 
   std::filesystem::path path_;
+  const TrajectoryColumns& given_;
+  const Log& log_;
   std::string text_;
-  bool is_csv_;
+  char separator_ = ' ';
   int line_ = 0;
-  std::vector<Column> columns_;
+  std::vector<TrackColumn> columns_;
+  std::vector<double> times_;  // Of KITTI's rows.
+  std::size_t kitti_rows_ = 0, equal_times_ = 0;
+  double largest_turn_ = 0;  // [rad]
   Trajectory trajectory_;
 };
 
 }  // namespace
 
-Trajectory load_trajectory(const std::filesystem::path& path) {
+Trajectory load_trajectory(const std::filesystem::path& path, const TrajectoryColumns& columns, const Log& log) {
   const std::string ending = ending_of(path);
-  if (ending != ".csv" && ending != ".tum" && ending != ".txt") {
-    throw Error(fmt::format("{}: is not a trajectory: CSV ends in .csv, TUM in .tum or .txt", path.string()));
+  if (ending != ".csv" && ending != ".tum" && ending != ".txt" && ending != ".kitti") {
+    throw Error(fmt::format("{}: is not a trajectory: CSV ends in .csv, TUM in .tum or .txt, KITTI in .txt or .kitti",
+                            path.string()));
   }
-  return TrajectoryReader(path).read();
+  return TrajectoryReader(path, columns, log).read();
 }
 
 }  // namespace insonify

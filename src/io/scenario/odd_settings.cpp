@@ -228,6 +228,7 @@ std::vector<std::string> odd_settings(const Scenario& scenario) {
   if (scenario.model == EchoModel::kCalibrated) {
     check_calibrated(scenario, lines);
   }
+  add_odd_values(scenario, lines);
   return lines;
 }
 

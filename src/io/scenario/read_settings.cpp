@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/utf8.h"
 #include "insonify/files.h"
 #include "io/file/input_file.h"
 #include "io/scenario/file_choices.h"
@@ -12,17 +13,43 @@ namespace {
 
 using Kind = YamlValue::Kind;
 
+// Which columns of a file of waypoints are which numbers: `{z: {name: depth, sign: -1}, x: north}`.
+TrajectoryColumns read_columns(const YamlValue& value, const std::string& name, Places& places) {
+  require_map(value, name, "a map of numbers of a waypoint, such as {z: {name: depth, sign: -1}}");
+  TrajectoryColumns columns;
+  for (const auto& [key, entry] : value.entries) {
+    ColumnChoice choice;
+    if (entry.kind == Kind::kScalar) {
+      choice.name = entry.scalar;
+    } else {
+      read_section(entry, member_name(name, key), choice, places);
+    }
+    if (choice.sign != 1 && choice.sign != -1) {
+      throw Error(member_name(name, key), "sign", fmt::format(" = {} must be 1 or -1", choice.sign)).at(entry.place);
+    }
+    columns[key] = {choice.name, choice.unit, static_cast<double>(choice.sign)};
+  }
+  return columns;
+}
+
 // The scalar or map that names a file of waypoints, instead of their list.
-bool read_track(const YamlValue& value, const std::string& name, const PartEntry& part, void* config, Places& places) {
+bool read_track(const YamlValue& value, const std::string& name, const PartEntry& part, void* config, Places& places,
+                const Log& log) {
   const bool is_file = value.find("file") != nullptr || value.find("start") != nullptr;
   if (part.table != &table_of<Waypoint>() || (value.kind != Kind::kScalar && !is_file)) {
     return false;
   }
   TrackChoice choice;
+  TrajectoryColumns columns;
   if (value.kind == Kind::kScalar) {
     read_member(value, "", Field{name, "", {}, ""}, choice.file);
   } else {
-    read_section(value, name, choice, places);
+    YamlValue rest = value;
+    std::erase_if(rest.entries, [](const YamlValue::Entry& entry) { return entry.key == "columns"; });
+    read_section(rest, name, choice, places);
+    if (const YamlValue* given = value.find("columns")) {
+      columns = read_columns(*given, member_name(name, "columns"), places);
+    }
     if (choice.file.empty()) {
       throw Error(name, "file", " is missing: a CSV or TUM file of waypoints").at(value.place);
     }
@@ -30,7 +57,7 @@ bool read_track(const YamlValue& value, const std::string& name, const PartEntry
   const std::filesystem::path scenario = places[""].file;
   const std::filesystem::path folder = is_stream(scenario) ? std::filesystem::path() : scenario.parent_path();
   Trajectory track;
-  with_place(value.place, [&] { track = load_trajectory(folder / choice.file); });
+  with_place(value.place, [&] { track = load_trajectory(folder / choice.file, columns, log); });
   part.clear(config);
   for (Waypoint& waypoint : track.waypoints) {
     waypoint.time -= choice.start;
@@ -53,21 +80,28 @@ void read_material(const YamlValue& value, std::string_view object, Settings set
   }
 }
 
-void read_map(const YamlValue& value, const std::string& name, const PartEntry& part, void* config, Places& places) {
+void read_map(const YamlValue& value, const std::string& name, const PartEntry& part, void* config, Places& places,
+              const Log& log) {
   require_map(value, name, "a " + std::string(part.kind));
   const bool is_material = part.table == &table_of<MaterialOverride>();
   for (const auto& [key, entry] : value.entries) {
     if (key.empty()) {
       throw Error("", name, " has an entry without a name").at(entry.place);
     }
-    (is_material ? read_material : read_section)(entry, member_name(name, key), part.add(config, key), places);
+    const std::string valid = as_utf8(key);
+    if (is_material) {
+      read_material(entry, member_name(name, valid), part.add(config, valid), places);
+    } else {
+      read_section(entry, member_name(name, valid), part.add(config, valid), places, log);
+    }
   }
 }
 
-void read_part(const YamlValue& value, const std::string& name, const PartEntry& part, void* config, Places& places) {
+void read_part(const YamlValue& value, const std::string& name, const PartEntry& part, void* config, Places& places,
+               const Log& log) {
   if (part.shape == PartShape::kMap) {
-    read_map(value, name, part, config, places);
-  } else if (read_track(value, name, part, config, places)) {
+    read_map(value, name, part, config, places, log);
+  } else if (read_track(value, name, part, config, places, log)) {
     return;
   } else if (value.kind == Kind::kNothing && part.shape != PartShape::kStruct) {
     part.clear(config);
@@ -75,10 +109,10 @@ void read_part(const YamlValue& value, const std::string& name, const PartEntry&
     part.clear(config);
     require_list(value, name, "a " + std::string(part.kind));
     for (std::size_t i = 0; i < value.items.size(); ++i) {
-      read_section(value.items[i], fmt::format("{}[{}]", name, i), part.add(config), places);
+      read_section(value.items[i], fmt::format("{}[{}]", name, i), part.add(config), places, log);
     }
   } else {
-    read_section(value, name, part.add(config), places);
+    read_section(value, name, part.add(config), places, log);
   }
 }
 
@@ -136,6 +170,7 @@ void read_fields(const YamlValue& map, std::string_view object, Settings setting
       field.change(settings.config, [&](auto& member) { read_member(*value, object, field, member); });
     }
     if (const YamlValue* quaternion = is_orientation(field) ? map.find(quaternion_name_of(field)) : nullptr) {
+      places[member_name(object, quaternion_name_of(field))] = quaternion->place;
       field.change(settings.config, [&]<typename Member>(Member& member) {
         if constexpr (std::is_same_v<Member, Vec3>) {
           read_quaternion(*quaternion, object, field, value != nullptr, member);
@@ -145,25 +180,25 @@ void read_fields(const YamlValue& map, std::string_view object, Settings setting
   }
 }
 
-void read_parts(const YamlValue& map, std::string_view object, Settings settings, Places& places,
+void read_parts(const YamlValue& map, std::string_view object, Settings settings, Places& places, const Log& log,
                 std::string_view except) {
   for (const PartEntry& part : settings.table->parts) {
     const YamlValue* value = map.find(part.name);
     if (value != nullptr && part.name != except) {
       const std::string name = member_name(object, part.name);
       places[name] = value->place;
-      read_part(*value, name, part, settings.config, places);
+      read_part(*value, name, part, settings.config, places, log);
     }
   }
 }
 
-void read_section(const YamlValue& value, std::string_view object, Settings settings, Places& places) {
+void read_section(const YamlValue& value, std::string_view object, Settings settings, Places& places, const Log& log) {
   const std::vector<std::string> keys = keys_of(*settings.table);
   require_map(value, object, "a map of keys such as " + keys.front());
   places[std::string(object)] = value.place;
   check_keys(value, object, keys);
   read_fields(value, object, settings, places);
-  read_parts(value, object, settings, places);
+  read_parts(value, object, settings, places, log);
 }
 
 std::string material_name(const YamlValue& value, std::string_view object) {

@@ -18,6 +18,7 @@
 #include "insonify/printable.h"
 #include "insonify/world_parts.h"
 #include "io/file/input_file.h"
+#include "io/scenario/yaml_read.h"
 #include "io/stonefish/stonefish_sonars.h"
 #include "io/world/sdf_reader.h"
 
@@ -208,7 +209,8 @@ bool add_stonefish_sonars(YamlValue& scenario, const fs::path& path, std::span<c
     return false;
   }
   const fs::path file = (is_stream(path) ? fs::path() : path.parent_path()) / world;
-  const StonefishSonars found = load_stonefish_sonars(file, is_given(scenario, "trajectory"));
+  const StonefishSonars found =
+      load_stonefish_sonars(file, is_given(scenario, "trajectory"), arguments_with(scenario, settings));
   if (found.sonars.empty()) {
     throw Error(
         fmt::format("{}: has no sensor of type fls, msis or sss; list sonars in a scenario that says world: {}{}",

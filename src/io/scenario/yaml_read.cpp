@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "base/names.h"
+#include "base/utf8.h"
 #include "insonify/printable.h"
 
 namespace insonify {
@@ -167,7 +168,7 @@ void read_member(const YamlValue& value, std::string_view object, const Field& f
   if (value.kind != Kind::kScalar) {
     refuse(value, name_of(object, field), "a text");
   }
-  member = value.scalar;
+  member = as_utf8(value.scalar);
 }
 
 void read_member(const YamlValue& value, std::string_view object, const Field& field, std::filesystem::path& member) {
@@ -210,7 +211,7 @@ void read_member(const YamlValue& value, std::string_view object, const Field& f
     if (item.kind != Kind::kScalar || item.scalar.empty()) {
       refuse(item, fmt::format("{}[{}]", name_of(object, field), member.size()), "a text");
     }
-    member.push_back(item.scalar);
+    member.push_back(as_utf8(item.scalar));
   }
 }
 

@@ -11,6 +11,7 @@
 
 #include "insonify/error.h"
 #include "insonify/geometry.h"
+#include "insonify/log.h"
 #include "insonify/settings_table.h"
 #include "io/scenario/yaml_value.h"
 
@@ -99,15 +100,24 @@ void read_fields(const YamlValue& map, std::string_view object, Settings setting
 /// Fills those parts of a configuration that a map gives, but for the part named `except`. Null resets an optional and
 /// empties a list. A trajectory may be a file, a material just the name of another.
 /// @param places  With the place of "", the scenario's file, whose folder is the base of file names.
-void read_parts(const YamlValue& map, std::string_view object, Settings settings, Places& places,
+/// @param log     Receives warnings about files of waypoints.
+void read_parts(const YamlValue& map, std::string_view object, Settings settings, Places& places, const Log& log = {},
                 std::string_view except = {});
 
 /// Fills a configuration's fields and parts from a map without other keys.
-void read_section(const YamlValue& value, std::string_view object, Settings settings, Places& places);
+void read_section(const YamlValue& value, std::string_view object, Settings settings, Places& places,
+                  const Log& log = {});
 
 /// The name of a material.
 /// @throws Error if it is empty.
 [[nodiscard]] std::string material_name(const YamlValue& value, std::string_view object);
+
+/// Turns a scenario's `arguments: {px: 8}` into the list ["px=8"].
+/// @throws Error for values that are not texts or numbers, and entries of a list that are not "name=value".
+void list_arguments(YamlValue& scenario);
+
+/// The list of arguments that a scenario will have once the settings are applied.
+[[nodiscard]] std::vector<std::string> arguments_with(const YamlValue& scenario, std::span<const std::string> settings);
 
 /// Applies one setting: "pings=3", "water.depth=4", "sonars[0].max_range=30", "sonars.fls.max_range=30", or a sonar's
 /// field alone, which means every sonar's. Messages on its value begin with `--set key=value: `.

@@ -180,4 +180,51 @@ void apply_setting(YamlValue& scenario, const std::string& text) {
   }
 }
 
+void list_arguments(YamlValue& scenario) {
+  YamlValue* given = scenario.find("arguments");
+  if (given == nullptr) {
+    return;
+  }
+  if (given->kind == Kind::kMap) {
+    for (const auto& [name, value] : given->entries) {
+      if (value.kind != Kind::kScalar) {
+        throw Error("arguments", printable(name), fmt::format(" = {} must be a text or a number", value.shown()))
+            .at(value.place);
+      }
+      given->items.push_back(scalar(fmt::format("{}={}", name, value.scalar), true));
+      given->items.back().place = value.place;
+    }
+    given->entries.clear();
+    given->kind = Kind::kList;
+  }
+  for (std::size_t i = 0; i < given->items.size(); ++i) {
+    const YamlValue& item = given->items[i];
+    if (item.kind != Kind::kScalar || item.scalar.find('=') == std::string::npos || item.scalar.starts_with('=')) {
+      throw Error("", fmt::format("arguments[{}]", i), fmt::format(" = {} must be name=value", item.shown()))
+          .at(item.place);
+    }
+  }
+}
+
+std::vector<std::string> arguments_with(const YamlValue& scenario, std::span<const std::string> settings) {
+  YamlValue only{.kind = Kind::kMap};
+  if (const YamlValue* given = scenario.find("arguments")) {
+    only.entries.push_back({"arguments", *given});
+  }
+  for (const std::string& setting : settings) {
+    const std::string_view key = std::string_view(setting).substr(setting.starts_with("--") ? 2 : 0);
+    if (key.starts_with("arguments.") || key.starts_with("arguments=")) {
+      apply_setting(only, setting);
+    }
+  }
+  list_arguments(only);
+  std::vector<std::string> arguments;
+  if (const YamlValue* list = only.find("arguments")) {
+    for (const YamlValue& item : list->items) {
+      arguments.push_back(item.scalar);
+    }
+  }
+  return arguments;
+}
+
 }  // namespace insonify

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <set>
 #include <sstream>
 
 #include "insonify/error.h"
@@ -60,6 +61,7 @@ class Converter {
  private:
   void convert_entries(const YAML::Node& node, const std::string& name, int depth, YamlValue& map) {
     std::vector<YamlValue> bases;  // Maps that `<<` takes keys from.
+    std::set<std::string> keys;
     for (const auto& entry : node) {
       const YAML::Node& key = entry.first;
       const Place key_place = place(key.Mark());
@@ -68,7 +70,7 @@ class Converter {
       }
       const std::string entry_name = name.empty() ? key.Scalar() : fmt::format("{}.{}", name, key.Scalar());
       const bool merges = key.Scalar() == "<<" && key.Tag() != "!";  // Not in quotes.
-      if (merges ? !bases.empty() : map.find(key.Scalar()) != nullptr) {
+      if (merges ? !bases.empty() : !keys.insert(key.Scalar()).second) {
         throw Error("", entry_name, " is given twice").at(key_place);
       }
       if (merges) {
@@ -81,7 +83,7 @@ class Converter {
     }
     for (YamlValue& base : bases) {
       for (Entry& entry : base.entries) {
-        if (map.find(entry.key) == nullptr) {
+        if (keys.insert(entry.key).second) {
           map.entries.push_back(std::move(entry));
         }
       }

@@ -8,10 +8,12 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <locale>
 #include <map>
 #include <set>
 #include <sstream>
 #include <utility>
+#include <vector>
 
 #include "base/log_line.h"
 #include "insonify/error.h"
@@ -134,6 +136,26 @@ constexpr std::pair kOldest{1, 4}, kNewest{1, 9};
 
 SdfFault::SdfFault(const std::string& message, const XmlFile& file, pugi::xml_node element)
     : Error(message), place_to_leave_out(element ? file.where(element_to_leave_out(element)) : "") {}
+
+void warn_of_sdf_turn(const XmlFile& file, pugi::xml_node element, const Log& log) {
+  if (element.name() != std::string_view("pose") || element.attribute("degrees").as_bool() ||
+      numbers_wanted(element) != kNumbersOfPose) {
+    return;
+  }
+  constexpr double kMostTurn = 20;  // [rad]
+  std::istringstream words(xml_text(element));
+  words.imbue(std::locale::classic());
+  std::vector<double> numbers(kNumbersOfPose, 0.0);
+  for (double& number : numbers) {
+    words >> number;
+  }
+  const double largest = std::max({std::abs(numbers[3]), std::abs(numbers[4]), std::abs(numbers[5])});
+  if (largest > kMostTurn) {
+    log_line(
+        log, Severity::kWarning,
+        fmt::format("{}<pose> turns by {:.4g} rad; in degrees it needs degrees='true'", file.where(element), largest));
+  }
+}
 
 bool complete_sdf_pose(const XmlFile& file, pugi::xml_node element, const Log& log) {
   const std::string content = xml_text(element);

@@ -24,6 +24,9 @@ class SdfFault : public Error {
 /// @throws SdfFault "path:line:column: ..."
 void check_sdf_element(const XmlFile& file, pugi::xml_node element);
 
+/// Warns of a pose that turns by more than three times around, which is likely in degrees.
+void warn_of_sdf_turn(const XmlFile& file, pugi::xml_node element, const Log& log);
+
 /// Gives a pose with too few numbers those that are missing, and warns of it. Returns whether it did.
 [[nodiscard]] bool complete_sdf_pose(const XmlFile& file, pugi::xml_node element, const Log& log);
 

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cctype>
 #include <iterator>
+#include <locale>
 #include <map>
 #include <set>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -69,6 +71,13 @@ bool paints_sdf_water(pugi::xml_node element) {
   std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::tolower(c); });
   return element.name() == std::string_view("material") && element.parent().name() == std::string_view("visual") &&
          name.find("water") != std::string::npos;
+}
+
+double sdf_opacity(pugi::xml_node element) {
+  std::istringstream numbers(xml_text(element.child("diffuse")));
+  numbers.imbue(std::locale::classic());
+  double red = 0, green = 0, blue = 0, alpha = 1;
+  return element.name() == std::string_view("material") && numbers >> red >> green >> blue >> alpha ? alpha : 1;
 }
 
 void keep_empty_sdf_model_readable(pugi::xml_node parent) {

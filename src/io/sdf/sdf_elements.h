@@ -24,6 +24,9 @@ namespace insonify {
 /// Whether an element is a visual's look named as water, such as "UUVSimulator/StaticWater".
 [[nodiscard]] bool paints_sdf_water(pugi::xml_node element);
 
+/// Alpha of the diffuse colour of a visual's look, from 0, clear, to 1; 1 for anything else.
+[[nodiscard]] double sdf_opacity(pugi::xml_node element);
+
 /// Makes a model without links and models static: libsdformat refuses others, and one whose included models are missing
 /// has none.
 void keep_empty_sdf_model_readable(pugi::xml_node parent);

@@ -46,23 +46,16 @@ std::string element_of(const std::string& xml_path) {
   return last.substr(0, last.find('['));
 }
 
-// "path:line:column: ". Errors without a line give names in brackets, "link with name[ship::hull]": the first name that
-// belongs to an element gives the place.
-std::string where(const sdf::Error& error, const std::string& file, const SdfSource& source) {
-  const std::string path = error.FilePath().value_or(file);
-  if (error.LineNumber()) {
-    return source.place(path, *error.LineNumber(), element_of(error.XmlPath().value_or(""))).text();
-  }
+// Names that errors without a line give in brackets, without scopes: "link with name[ship::hull]" gives "hull".
+std::vector<std::string> names_in(const sdf::Error& error) {
+  std::vector<std::string> names;
   const std::string text = error.Message();
   for (std::size_t open = text.find('['); open != std::string::npos; open = text.find('[', open + 1)) {
     const std::string scoped = text.substr(open + 1, text.find(']', open) - open - 1);
     const std::size_t colons = scoped.rfind("::");
-    std::string place = source.place_of_name(colons == std::string::npos ? scoped : scoped.substr(colons + 2));
-    if (!place.empty()) {
-      return place;
-    }
+    names.push_back(colons == std::string::npos ? scoped : scoped.substr(colons + 2));
   }
-  return source.shown(path) + ": ";
+  return names;
 }
 
 // One line for all errors, as the fault of an element where libsdformat names its line. If libsdformat says only which
@@ -78,12 +71,14 @@ SdfFault summary(const sdf::Errors& errors, const std::vector<std::string>& cons
     }
   }
   const bool silent = causes.empty() && !console.empty();
-  const std::string text = where(*cause, file, source) + foreign_reason(silent ? console.front() : cause->Message());
+  const std::string text = foreign_reason(source.with_users_places(silent ? console.front() : cause->Message()));
   const std::size_t more = causes.size() > 1 ? causes.size() - 1 : 0;
   const std::string whole =
       more == 0 ? text : fmt::format("{} (and {} more error{})", text, more, more == 1 ? "" : "s");
-  return source.fault(whole, cause->FilePath().value_or(file), cause->LineNumber().value_or(0),
-                      element_of(cause->XmlPath().value_or("")));
+  const std::string path = cause->FilePath().value_or(file);
+  return cause->LineNumber()
+             ? source.fault(whole, path, *cause->LineNumber(), element_of(cause->XmlPath().value_or("")))
+             : source.fault(whole, path, names_in(*cause));
 }
 
 // libsdformat does not pass on errors inside included files: they are found by reading each file again.
@@ -120,18 +115,19 @@ sdf::Root read_sdf_root(const SdfSource& source, const Log& log) {
   for (const std::string& sentence : console.sentences()) {
     if (!sentence.starts_with("Unable to convert from SDF version")) {  // SdfSource warns of that, with file and line.
       log_line(log, Severity::kWarning,
-               fmt::format("{}: {}", source.shown(source.files().back()), foreign_reason(sentence)));
+               fmt::format("{}: {}", source.shown(source.files().back()),
+                           foreign_reason(source.with_users_places(sentence))));
     }
   }
   return root;
 }
 
-SdfFile parse(const std::filesystem::path& path, bool joints, const std::set<std::string>& without, bool strict,
+SdfFile parse(const std::filesystem::path& path, const SdfReading& reading, const std::set<std::string>& without,
               MissingParts& missing, const Log& log) {
   SdfFile parsed;
-  parsed.source = std::make_unique<SdfSource>(path, joints, strict, without, missing, log);
-  if (strict) {
-    missing.report(path.string(), strict, log);
+  parsed.source = std::make_unique<SdfSource>(path, reading, without, missing, log);
+  if (reading.strict) {
+    missing.report(path.string(), reading.strict, log);
   }
   try {
     parsed.root = read_sdf_root(*parsed.source, log);
@@ -162,11 +158,11 @@ std::unique_lock<std::mutex> lock_sdf() {
 
 // If the file cannot be read, it is read again without the element that is at fault; if none is known, or there are too
 // many of them, without its joints, which have no shape.
-SdfFile read_sdf_file(const std::filesystem::path& path, bool strict, MissingParts& missing, const Log& log) {
+SdfFile read_sdf_file(const std::filesystem::path& path, SdfReading reading, MissingParts& missing, const Log& log) {
   constexpr std::size_t kMostFaults = 100;
   std::set<std::string> without;
   std::vector<std::string> faults;
-  for (bool joints = true;;) {
+  for (;;) {
     std::vector<std::pair<Severity, std::string>> said;
     const Log keep = [&](Severity severity, const std::string& line) { said.emplace_back(severity, line); };
     const auto flush_warnings = [&] {
@@ -176,7 +172,7 @@ SdfFile read_sdf_file(const std::filesystem::path& path, bool strict, MissingPar
     };
     MissingParts found;
     try {
-      SdfFile parsed = parse(path, joints, without, strict, found, keep);
+      SdfFile parsed = parse(path, reading, without, found, keep);
       flush_warnings();
       for (const std::string& fault : faults) {
         found.add(fault, "");
@@ -187,13 +183,13 @@ SdfFile read_sdf_file(const std::filesystem::path& path, bool strict, MissingPar
       const auto* fault = dynamic_cast<const SdfFault*>(&error);
       const bool is_known = fault != nullptr && !fault->place_to_leave_out.empty() && faults.size() < kMostFaults &&
                             without.insert(fault->place_to_leave_out).second;
-      if (strict || (!is_known && !joints)) {
+      if (reading.strict || (!is_known && !reading.joints)) {
         flush_warnings();
         throw;
       }
       faults.push_back(is_known ? error.what()
                                 : fmt::format("the joints, which have no shapes, for a fault: {}", error.what()));
-      joints = joints && is_known;
+      reading.joints = reading.joints && is_known;
     }
   }
 }

@@ -28,10 +28,10 @@ struct SdfFile {
 [[nodiscard]] std::unique_lock<std::mutex> lock_sdf();
 
 /// Reads a file, without elements whose faults would prevent it.
-/// @param strict   Whether missing parts and faulty elements are errors.
+/// @param reading  With `strict`, missing parts and faulty elements are errors.
 /// @param missing  Receives missing and unreadable parts. This and `log` must outlive the file.
 /// @throws Error "path:line:column: ..." for faults.
-[[nodiscard]] SdfFile read_sdf_file(const std::filesystem::path& path, bool strict, MissingParts& missing,
+[[nodiscard]] SdfFile read_sdf_file(const std::filesystem::path& path, SdfReading reading, MissingParts& missing,
                                     const Log& log);
 
 }  // namespace insonify

@@ -10,7 +10,12 @@ namespace {
 Scene load_sdf_scene(const std::filesystem::path& path, const WorldOptions& options, const Log& log) {
   const auto lock = lock_sdf();
   MissingParts missing;
-  const SdfFile parsed = read_sdf_file(path, options.strict, missing, log);
+  SdfFile parsed = read_sdf_file(path, {.strict = options.strict, .twins = true}, missing, log);
+  const SdfTwins& twins = parsed.source->twins();
+  if (!twins.twins.empty() && parsed.root.WorldByIndex(0)->ModelCount() != twins.left) {
+    missing = {};
+    parsed = read_sdf_file(path, {.strict = options.strict}, missing, log);
+  }
 
   SdfSceneBuilder builder(*parsed.source, options, missing, log);
   for (std::uint64_t w = 0; w < parsed.root.WorldCount(); ++w) {

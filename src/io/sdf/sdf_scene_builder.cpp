@@ -13,6 +13,7 @@
 #include "io/file/input_file.h"
 #include "io/sdf/sdf_material.h"
 #include "io/sdf/sdf_poses.h"
+#include "io/world/water_shapes.h"
 
 namespace insonify {
 namespace {
@@ -67,11 +68,12 @@ SdfSceneBuilder::MaterialName SdfSceneBuilder::own_or(const MaterialName& inheri
   return own.empty() ? inherited : MaterialName{own, place(*element)};
 }
 
-// Adds something that is skipped with its fault.
+// Adds something that is skipped with its fault. Returns whether it could be read.
 template <typename Add>
-void SdfSceneBuilder::add_or_skip(const Add& add) {
+bool SdfSceneBuilder::add_or_skip(const Add& add) {
   try {
     add();
+    return true;
   } catch (const UnreadablePart& unreadable) {
     missing_.add(unreadable);
   } catch (const InsonifyElementError&) {
@@ -82,11 +84,16 @@ void SdfSceneBuilder::add_or_skip(const Add& add) {
     }
     missing_.add(error.what(), "");
   }
+  return false;
 }
 
-// Whether a visual is water or invisible: not meant to stop anything.
-bool SdfSceneBuilder::is_for_eyes_only(const sdf::Visual& visual) const {
-  return visual.Transparency() >= 1 || source_.is_water(place(*visual.Element()).text());
+// How much of the light behind a visual it stops, from 0 to 1.
+double SdfSceneBuilder::opacity(const sdf::Visual& visual) const {
+  return (1 - static_cast<double>(visual.Transparency())) * source_.opacity(place(*visual.Element()).text());
+}
+
+bool SdfSceneBuilder::is_painted_as_water(const sdf::Visual& visual) const {
+  return source_.is_water(place(*visual.Element()).text());
 }
 
 template <typename Part>
@@ -110,8 +117,16 @@ void SdfSceneBuilder::add_part(const Part& part, const char* kind, const std::st
   instance.world_from_mesh = world_from_link * resolve(part, where) * Pose{shape->offset};
   check_reach(instance, where);
   const MaterialName own = own_or(material, part.Element(), where);
-  if (own.name.empty() && is_for_eyes_only(part)) {
-    for_eyes_.push_back(printable(name, kLongestName));
+  if (own.name.empty() && !options_.keep_water) {
+    constexpr double kClear = 0.5;
+    const double opaque = opacity(part);
+    if (is_water_name(name) || is_painted_as_water(part) || (opaque < kClear && is_level_sheet(instance))) {
+      water_.push_back(printable(name, kLongestName));
+      return;
+    }
+    if (opaque <= 0) {
+      for_eyes_.push_back(printable(name, kLongestName));
+    }
   }
   instance.user_material = own.name;
   scene_.places[name] = own.place;
@@ -129,18 +144,30 @@ void SdfSceneBuilder::add_link(const sdf::Link& link, const std::string& scope, 
   material = own_or(material, link.Element(), where);
   visual_count_ += link.VisualCount();
   collision_count_ += link.CollisionCount();
-  for (std::uint64_t i = 0; !collisions_ && i < link.VisualCount(); ++i) {
-    add_or_skip([&] { add_part(*link.VisualByIndex(i), "visual", name + "::", world_from_link, material); });
+  const auto add_collisions = [&] {
+    for (std::uint64_t i = 0; i < link.CollisionCount(); ++i) {
+      add_or_skip([&] { add_part(*link.CollisionByIndex(i), "collision", name + "::", world_from_link, material); });
+    }
+  };
+  if (collisions_) {
+    add_collisions();
+    return;
   }
-  for (std::uint64_t i = 0; collisions_ && i < link.CollisionCount(); ++i) {
-    add_or_skip([&] { add_part(*link.CollisionByIndex(i), "collision", name + "::", world_from_link, material); });
+  std::uint64_t unreadable = 0;
+  for (std::uint64_t i = 0; i < link.VisualCount(); ++i) {
+    unreadable +=
+        add_or_skip([&] { add_part(*link.VisualByIndex(i), "visual", name + "::", world_from_link, material); }) ? 0
+                                                                                                                 : 1;
+  }
+  if (unreadable > 0 && unreadable == link.VisualCount() && link.CollisionCount() > 0) {
+    add_collisions();
+    unreadable_visuals_.push_back(printable(name, kLongestName));
   }
 }
 
 // `material` applies to all parts that name none themselves.
-void SdfSceneBuilder::add_model(const sdf::Model& model, const std::string& scope, const Pose& world_from_model,
+void SdfSceneBuilder::add_model(const sdf::Model& model, const std::string& name, const Pose& world_from_model,
                                 MaterialName material) {
-  const std::string name = scope + model.Name();
   if (ignored_.match(name)) {
     return;
   }
@@ -152,35 +179,44 @@ void SdfSceneBuilder::add_model(const sdf::Model& model, const std::string& scop
     add_or_skip([&] {
       const sdf::Model& inner = *model.ModelByIndex(i);
       const Pose model_from_inner = resolve(inner, what("model", name + "::" + inner.Name(), *inner.Element()));
-      add_model(inner, name + "::", world_from_model * model_from_inner, material);
+      add_model(inner, name + "::" + inner.Name(), world_from_model * model_from_inner, material);
     });
   }
 }
 
 // A model without a visual has its collision shapes insonified, or a scene would lack it in silence.
-void SdfSceneBuilder::add_top_model(const sdf::Model& model, const Pose& world_from_model) {
+void SdfSceneBuilder::add_top_model(const sdf::Model& model, const std::string& name, const Pose& world_from_model) {
   collisions_ = options_.collisions || visual_count(model) == 0;
   const std::size_t before = scene_.instances.size();
-  add_model(model, "", world_from_model, {});
+  add_model(model, name, world_from_model, {});
   if (!options_.collisions && collisions_ && scene_.instances.size() > before) {
-    without_visuals_.push_back(printable(model.Name(), kLongestName));
+    without_visuals_.push_back(printable(name, kLongestName));
   }
 }
 
+// In the order of the file: the twins that stand before each model, then the model.
 void SdfSceneBuilder::add_world(const sdf::World& world) {
   const std::map<std::string, Pose> saved = sdf_saved_poses(world);
-  for (std::uint64_t i = 0; i < world.ModelCount(); ++i) {
-    add_or_skip([&] {
+  const auto add = [&](const sdf::Model& model, const std::string& name, const Pose& own) {
+    const auto found = saved.find(name);
+    add_top_model(model, name, found == saved.end() ? own : found->second);
+  };
+  const std::vector<SdfTwin>& twins = source_.twins().twins;
+  auto twin = twins.begin();
+  for (std::uint64_t i = 0; i <= world.ModelCount(); ++i) {
+    for (; twin != twins.end() && twin->before == i; ++twin) {
+      add_or_skip([&] { add(*world.ModelByIndex(twin->first), twin->name, twin->pose); });
+    }
+    if (i < world.ModelCount()) {
       const sdf::Model& model = *world.ModelByIndex(i);
-      const Pose own = resolve(model, what("model", model.Name(), *model.Element()));
-      const auto found = saved.find(model.Name());
-      add_top_model(model, found == saved.end() ? own : found->second);
-    });
+      add_or_skip([&] { add(model, model.Name(), resolve(model, what("model", model.Name(), *model.Element()))); });
+    }
   }
 }
 
 void SdfSceneBuilder::add_model(const sdf::Model& model) {
-  add_or_skip([&] { add_top_model(model, resolve(model, what("model", model.Name(), *model.Element()))); });
+  add_or_skip(
+      [&] { add_top_model(model, model.Name(), resolve(model, what("model", model.Name(), *model.Element()))); });
 }
 
 void SdfSceneBuilder::warn(const std::string& file, const std::string& text,
@@ -198,6 +234,9 @@ std::string SdfSceneBuilder::nothing_in(const std::string& file) const {
       fmt::format("{}: there is no {} to insonify", file, options_.collisions ? "collision shape" : "visual");
   if (ignored_.any()) {
     return text + " except what `ignore` removes";
+  }
+  if (!water_.empty()) {
+    return text + fmt::format(" except water (keep_water: true keeps it): {}", fmt::join(water_, ", "));
   }
   if (left_out > 0) {
     text += fmt::format(", {} left out", left_out);
@@ -218,7 +257,10 @@ Scene SdfSceneBuilder::finish(const std::string& file) {
                                  : fmt::format("{}: nothing is left to insonify: {}", file, missing_.whole_text()));
   }
   warn(file, "of models without visuals the collision shapes are insonified (ignore removes them)", without_visuals_);
-  warn(file, "what is water or invisible to cameras echoes as a solid surface (ignore removes it)", for_eyes_);
+  warn(file, "of links whose visuals cannot be read the collision shapes are insonified (ignore removes it)",
+       unreadable_visuals_);
+  warn(file, "left out as water (keep_water: true keeps it)", water_);
+  warn(file, "what is invisible to cameras echoes as a solid surface (ignore removes it)", for_eyes_);
   ignored_.report_unused(file, log_);
   return std::move(scene_);
 }

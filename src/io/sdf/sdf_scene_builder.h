@@ -54,10 +54,9 @@ class SdfSceneBuilder {
   };
 
   template <typename Add>
-  void add_or_skip(const Add& add);
-  void add_top_model(const sdf::Model& model, const Pose& world_from_model);
-  void add_model(const sdf::Model& model, const std::string& scope, const Pose& world_from_model,
-                 MaterialName material);
+  bool add_or_skip(const Add& add);
+  void add_top_model(const sdf::Model& model, const std::string& name, const Pose& world_from_model);
+  void add_model(const sdf::Model& model, const std::string& name, const Pose& world_from_model, MaterialName material);
   void add_link(const sdf::Link& link, const std::string& scope, const Pose& world_from_model, MaterialName material);
   template <typename Part>
   void add_part(const Part& part, const char* kind, const std::string& scope, const Pose& world_from_link,
@@ -67,8 +66,10 @@ class SdfSceneBuilder {
   [[nodiscard]] std::string what(const char* kind, const std::string& name, sdf::Element& element) const;
   [[nodiscard]] MaterialName own_or(const MaterialName& inherited, const sdf::ElementPtr& element,
                                     const std::string& where) const;
-  [[nodiscard]] bool is_for_eyes_only(const sdf::Visual& visual) const;
-  [[nodiscard]] static bool is_for_eyes_only(const sdf::Collision& /*collision*/) { return false; }
+  [[nodiscard]] double opacity(const sdf::Visual& visual) const;
+  [[nodiscard]] static double opacity(const sdf::Collision& /*collision*/) { return 1; }
+  [[nodiscard]] bool is_painted_as_water(const sdf::Visual& visual) const;
+  [[nodiscard]] static bool is_painted_as_water(const sdf::Collision& /*collision*/) { return false; }
   void warn(const std::string& file, const std::string& text, const std::vector<std::string>& names) const;
   [[nodiscard]] std::string nothing_in(const std::string& file) const;
 
@@ -79,7 +80,7 @@ class SdfSceneBuilder {
   NamePatterns ignored_;
   SdfShapes shapes_;
   bool collisions_ = false;  // Whether the current model uses its collision shapes.
-  std::vector<std::string> without_visuals_, for_eyes_;
+  std::vector<std::string> without_visuals_, unreadable_visuals_, water_, for_eyes_;
   std::set<std::string> names_;
   std::size_t visual_count_ = 0, collision_count_ = 0;
   Scene scene_;

@@ -141,7 +141,7 @@ void Reader::read(const sdf::Model& model, const std::string& scope, const Pose&
 std::vector<SdfSonar> load_sdf_sonars(const std::filesystem::path& path, const Log& log) {
   const auto lock = lock_sdf();
   MissingParts missing;  // Reported when the scene is read.
-  const SdfFile parsed = read_sdf_file(path, false, missing, log);
+  const SdfFile parsed = read_sdf_file(path, {}, missing, log);
   Reader reader(*parsed.source);
   const auto read = [&](const sdf::Model& model, const std::map<std::string, Pose>& saved) {
     const auto found = saved.find(model.Name());

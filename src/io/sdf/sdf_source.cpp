@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <stdlib.h>
 
+#include <charconv>
 #include <fstream>
 #include <memory>
 #include <sstream>
@@ -32,9 +33,9 @@ std::string text_of(const XmlFile& file) {
 
 }  // namespace
 
-SdfSource::SdfSource(const fs::path& file, bool joints, bool strict, const std::set<std::string>& without,
+SdfSource::SdfSource(const fs::path& file, const SdfReading& reading, const std::set<std::string>& without,
                      MissingParts& missing, const Log& log)
-    : file_(file), joints_(joints), strict_(strict), without_(without), missing_(missing), log_(log) {
+    : file_(file), reading_(reading), without_(without), missing_(missing), log_(log) {
   const std::string whole = fs::absolute(file).lexically_normal().string();
   open(whole);
   prepare(whole);
@@ -55,6 +56,25 @@ std::string SdfSource::original(const std::string& path) const {
 std::string SdfSource::shown(const std::string& path) const {
   const std::string whole = original(path);
   return whole == fs::absolute(file_).lexically_normal() ? file_.string() : whole;
+}
+
+// libsdformat writes "path:L16", or the path alone.
+std::string SdfSource::with_users_places(std::string text) const {
+  for (const auto& [copy, user] : originals_) {
+    for (std::size_t at = text.find(copy); at != std::string::npos; at = text.find(copy, at)) {
+      const std::string_view rest = std::string_view(text).substr(at + copy.size());
+      int line = 0;
+      const char* end = rest.data();
+      if (rest.starts_with(":L")) {
+        end = std::from_chars(rest.data() + 2, rest.data() + rest.size(), line).ptr;
+      }
+      const Place found = place(copy, line, "");
+      const std::string shown_place = found.line > 0 ? fmt::format("{}:{}", found.file, found.line) : shown(copy);
+      text.replace(at, copy.size() + static_cast<std::size_t>(end - rest.data()), shown_place);
+      at += shown_place.size();
+    }
+  }
+  return text;
 }
 
 // The element at a line; null if it is ambiguous.
@@ -102,19 +122,28 @@ SdfFault SdfSource::fault(const std::string& message, const std::string& path, i
   if (const auto any = source.lines.find(line); !found && any != source.lines.end()) {
     found = any->second;
   }
-  return {message, source.xml, found};
+  return {place(path, line, element).text() + message, source.xml, found};
 }
 
-std::string SdfSource::place_of_name(const std::string& name) const {
-  for (auto file = files_.rbegin(); file != files_.rend(); ++file) {
-    const XmlFile& xml = sources_.at(original(*file))->xml;
-    for (const pugi::xml_node element : sdf_elements_of(xml)) {
-      if (element.find_attribute([&](pugi::xml_attribute attribute) { return attribute.value() == name; })) {
-        return xml.where(element);
+SdfFault SdfSource::fault(const std::string& message, const std::string& path,
+                          const std::vector<std::string>& names) const {
+  for (const std::string& name : names) {
+    const XmlFile* first_file = nullptr;
+    std::vector<pugi::xml_node> found;
+    for (auto file = files_.rbegin(); file != files_.rend(); ++file) {
+      const XmlFile& xml = sources_.at(original(*file))->xml;
+      for (const pugi::xml_node element : sdf_elements_of(xml)) {
+        if (element.find_attribute([&](pugi::xml_attribute attribute) { return attribute.value() == name; })) {
+          found.push_back(element);
+          first_file = first_file == nullptr ? &xml : first_file;
+        }
       }
     }
+    if (!found.empty()) {
+      return {first_file->where(found[0]) + message, *first_file, found.size() == 1 ? found[0] : pugi::xml_node()};
+    }
   }
-  return "";
+  return {shown(path) + ": " + message, sources_.begin()->second->xml, pugi::xml_node()};
 }
 
 std::string SdfSource::write_copy(const std::string& text, const std::string& original) {
@@ -201,6 +230,9 @@ void SdfSource::note_left_out(pugi::xml_node element, const XmlFile& xml) {
   if (paints_sdf_water(element)) {
     water_.insert(xml.where(element.parent()));
   }
+  if (const double opacity = sdf_opacity(element); opacity < 1) {
+    opacities_[xml.where(element.parent())] = opacity;
+  }
   const pugi::xml_node surface = element.child("surface_model");
   const std::string name = xml_text(surface);
   if (element.name() == std::string_view("spherical_coordinates") && surface && name != "EARTH_WGS84") {
@@ -219,7 +251,7 @@ bool SdfSource::prepare_inside(pugi::xml_node parent, const XmlFile& xml, const 
     if (child.type() != pugi::node_element) {
       continue;
     }
-    const bool is_idle_joint = !joints_ && child.name() == std::string_view("joint") &&
+    const bool is_idle_joint = !reading_.joints && child.name() == std::string_view("joint") &&
                                !is_sdf_frame_of_another(xml.root(), child.attribute("name").value());
     if (is_idle_joint || is_irrelevant_sdf(child) || without_.contains(xml.where(child))) {
       note_left_out(child, xml);
@@ -228,7 +260,8 @@ bool SdfSource::prepare_inside(pugi::xml_node parent, const XmlFile& xml, const 
       changed = true;
       continue;
     }
-    changed = (!strict_ && complete_sdf_pose(xml, child, log_)) || changed;
+    warn_of_sdf_turn(xml, child, log_);
+    changed = (!reading_.strict && complete_sdf_pose(xml, child, log_)) || changed;
     check_sdf_element(xml, child);
     changed = prepare_inside(child, xml, file) || changed;
     if (is_sdf_include(child)) {
@@ -258,7 +291,11 @@ std::optional<std::string> SdfSource::prepare(const std::string& name) {
     ready_[name] = {Ready::kDone, std::nullopt};
     return std::nullopt;
   }
-  const bool changed = put_world_around_sdf_models(source.xml.root()) || changed_inside || source.converted;
+  if (!is_included && reading_.twins) {
+    twins_ = take_out_sdf_twins(source.xml.root());
+  }
+  const bool changed =
+      put_world_around_sdf_models(source.xml.root()) || changed_inside || source.converted || !twins_.twins.empty();
   const std::string copy = changed ? text_of(source.xml) : "";
   const std::string to_read = changed ? write_copy(copy, name) : name;
 

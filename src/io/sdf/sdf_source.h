@@ -15,8 +15,17 @@
 #include "io/file/missing_parts.h"
 #include "io/file/xml_file.h"
 #include "io/sdf/sdf_check.h"
+#include "io/sdf/sdf_twins.h"
 
 namespace insonify {
+
+/// How a file is prepared.
+struct SdfReading {
+  bool joints = true;   ///< Whether joints are kept. They have no shape and can be removed, except those that are the
+                        ///< frame of something else.
+  bool strict = false;  ///< Whether a pose with too few numbers is an error; else it is completed.
+  bool twins = false;   ///< Whether models that are equal but for names and poses are taken out: see twins().
+};
 
 /// Prepares an SDF file and the files that it includes for libsdformat.
 ///
@@ -28,9 +37,6 @@ namespace insonify {
 /// file.
 class SdfSource {
  public:
-  /// @param joints   Whether joints are kept. They have no shape and can be removed, except those that are the frame of
-  ///                 something else.
-  /// @param strict   Whether a pose with too few numbers is an error; else it is completed.
   /// @param without  "path:line:column: " of elements that are left out for their faults.
   /// @param missing  Receives included models that are not found or cannot be read, which are removed.
   /// @param log      Receives warnings about versions other than 1.4 to 1.9, about actors, which are skipped, and about
@@ -38,7 +44,7 @@ class SdfSource {
   /// The last three must outlive this object.
   /// @throws Error for a file that is missing, not XML or not SDF, for files that include themselves, and for faults
   /// that check_sdf_element() finds.
-  SdfSource(const std::filesystem::path& file, bool joints, bool strict, const std::set<std::string>& without,
+  SdfSource(const std::filesystem::path& file, const SdfReading& reading, const std::set<std::string>& without,
             MissingParts& missing, const Log& log);
   ~SdfSource();
   SdfSource(const SdfSource&) = delete;
@@ -47,11 +53,17 @@ class SdfSource {
   /// The files that libsdformat reads, innermost includes first, the file itself last. Absolute paths.
   [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
 
+  /// Models of the file itself that were taken out of its world.
+  [[nodiscard]] const SdfTwins& twins() const { return twins_; }
+
   /// The user's file that one of files() is a copy of, absolute; any other path unchanged.
   [[nodiscard]] std::string original(const std::string& path) const;
 
   /// The same as the user named it, for messages.
   [[nodiscard]] std::string shown(const std::string& path) const;
+
+  /// A text of libsdformat's with the user's files and lines in place of those of copies.
+  [[nodiscard]] std::string with_users_places(std::string text) const;
 
   /// An element in one of files(), if its line there, its kind and its name identify it; else its line only, or the
   /// file only for an element that is not in the user's.
@@ -64,16 +76,23 @@ class SdfSource {
                                    const std::string& name, const std::string& inner,
                                    const std::string& inner_name) const;
 
-  /// The fault of such an element. With a line of which nothing is known, of none.
+  /// The fault of such an element, with its place before the message.
   [[nodiscard]] SdfFault fault(const std::string& message, const std::string& path, int line,
                                const std::string& element) const;
 
-  /// "path:line:column: " of the first element with an attribute of value `name`, the file itself before its includes;
-  /// "" if there is none.
-  [[nodiscard]] std::string place_of_name(const std::string& name) const;
+  /// The fault of the only element with an attribute of the first of these values that there is. Where several have it,
+  /// the first gives the place, the file itself before its includes; where none has any, the file at `path` does.
+  [[nodiscard]] SdfFault fault(const std::string& message, const std::string& path,
+                               const std::vector<std::string>& names) const;
 
   /// Whether the visual at a place, "path:line:column: ", has a look (a script in its <material>) that is named water.
   [[nodiscard]] bool is_water(const std::string& place) const { return water_.contains(place); }
+
+  /// Alpha of the look of the visual at such a place; 1 if it has none.
+  [[nodiscard]] double opacity(const std::string& place) const {
+    const auto found = opacities_.find(place);
+    return found == opacities_.end() ? 1 : found->second;
+  }
 
  private:
   // How far the preparation of a file is, and the file to read instead: none where it holds no models.
@@ -107,7 +126,9 @@ class SdfSource {
   std::map<std::string, std::unique_ptr<Source>> sources_;  // by original
   std::map<std::string, Ready> ready_;                      // by original
   std::set<std::string> water_;                             // Places of visuals.
-  bool joints_, strict_;
+  std::map<std::string, double> opacities_;                 // By place, of those that are not opaque.
+  SdfTwins twins_;
+  SdfReading reading_;
   const std::set<std::string>& without_;
   MissingParts& missing_;
   const Log& log_;

@@ -22,13 +22,23 @@ std::string what_of(const StonefishElement& element, const char* child, const ch
   return fmt::format("{}: {}{}", element.what(), tag, attribute);
 }
 
-// Why a text with an unreplaced argument cannot be read, as the end of a message; null if it has none.
-const char* reason_unreadable(std::string_view text) {
+// Why a text with an unreplaced argument cannot be read, as the end of a message; "" if it has none.
+std::string reason_unreadable(std::string_view text) {
   const auto has = [&](std::string_view what) { return text.find(what) != std::string_view::npos; };
-  return has("${")       ? ": formulas are not worked out, write the number"
-         : has("$(find") ? ": no such package above the scenario or in AMENT_PREFIX_PATH or ROS_PACKAGE_PATH"
-         : has("$(")     ? ": has no value here, write it into the file"
-                         : nullptr;
+  if (has("${")) {
+    return ": formulas are not worked out, write the number";
+  }
+  if (has("$(find")) {
+    return ": no such package above the scenario or in AMENT_PREFIX_PATH or ROS_PACKAGE_PATH";
+  }
+  if (!has("$(")) {
+    return "";
+  }
+  const std::string_view call = text.substr(text.find("$(") + 2);
+  const std::string_view inside = call.substr(0, call.find(')'));
+  const std::string name = without_outer_space(inside.substr(std::min(inside.find(' '), inside.size())));
+  return fmt::format(": has no value here; --set arguments.{}=... gives it one",
+                     printable(name.substr(name.rfind('/') + 1)));
 }
 
 // The attribute's text, without anything left to replace.
@@ -42,7 +52,7 @@ std::string text_of(const StonefishElement& element, const char* child, const ch
     throw Error(what_of(element, child, attribute) + " is missing");
   }
   const std::string_view text = found.value();
-  if (const char* reason = reason_unreadable(text)) {
+  if (const std::string reason = reason_unreadable(text); !reason.empty()) {
     throw UnreadablePart(fmt::format("{} = '{}'", what_of(element, child, attribute), printable(text)), reason);
   }
   return std::string(text);

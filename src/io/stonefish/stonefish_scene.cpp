@@ -106,7 +106,7 @@ class StonefishSceneBuilder {
 
 Scene load_stonefish_scene(const std::filesystem::path& path, const WorldOptions& options, const Log& log) {
   MissingParts missing;
-  const StonefishSource source(path, missing);
+  const StonefishSource source(path, options.arguments, missing);
   const StonefishBodies bodies(source, missing);
   StonefishSceneBuilder builder(options, missing, log);
   for (const StonefishBody& body : bodies.bodies()) {

@@ -146,7 +146,16 @@ std::optional<StonefishShape> StonefishShapes::shape(const StonefishElement& bod
     return std::nullopt;
   }
   if (type == "model") {
-    return model(body, physical);
+    try {
+      return model(body, physical);
+    } catch (const UnreadablePart& unreadable) {
+      if (physical || !body.child("visual") || !body.child("physical")) {
+        throw;
+      }
+      StonefishShape shape = model(body, true);
+      log_line(log_, Severity::kWarning, fmt::format("{}: the mesh of <physical> is taken", unreadable.what()));
+      return shape;
+    }
   }
   if (type == "terrain") {
     return terrain(body);

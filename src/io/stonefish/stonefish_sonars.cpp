@@ -165,9 +165,10 @@ class SonarList {
 
 }  // namespace
 
-StonefishSonars load_stonefish_sonars(const std::filesystem::path& path, bool on_vehicle) {
+StonefishSonars load_stonefish_sonars(const std::filesystem::path& path, bool on_vehicle,
+                                      std::span<const std::string> arguments) {
   MissingParts missing;
-  const StonefishSource source(path, missing);
+  const StonefishSource source(path, arguments, missing);
   const StonefishBodies bodies(source, missing);
   SonarList list(on_vehicle);
   for (const StonefishSensor& sensor : bodies.sensors()) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,8 @@ struct StonefishSonars {
 /// has our defaults.
 /// @param on_vehicle  Poses are those in the robot's base link, for a scenario with a trajectory of its own; else in
 ///                    the world, x north, y west, z up.
-/// @throws Error "path:line:column: ..." for faults.
-[[nodiscard]] StonefishSonars load_stonefish_sonars(const std::filesystem::path& path, bool on_vehicle);
+/// @param arguments  As WorldOptions::arguments.
+[[nodiscard]] StonefishSonars load_stonefish_sonars(const std::filesystem::path& path, bool on_vehicle,
+                                                    std::span<const std::string> arguments = {});
 
 }  // namespace insonify

@@ -16,14 +16,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The value of the `arg NAME` or `find NAME` in a $(...); nothing if it has none.
+// The value of the `arg NAME`, `param NAME` or `find NAME` in a $(...); nothing if it has none.
 std::optional<std::string> value_of(const std::string& call, const std::map<std::string, std::string>& arguments,
                                     const fs::path& path) {
   const std::size_t space = call.find(' ');
   const std::string verb = call.substr(0, space);
   const std::string name = space == std::string::npos ? "" : without_outer_space(call.substr(space));
-  if (verb == "arg") {
-    const auto found = arguments.find(name);
+  if (verb == "arg" || verb == "param") {
+    auto found = arguments.find(name);
+    found = found == arguments.end() ? arguments.find(name.substr(name.rfind('/') + 1)) : found;
     return found == arguments.end() ? std::nullopt : std::optional(found->second);
   }
   if (verb == "find") {
@@ -79,8 +80,13 @@ std::shared_ptr<const XmlFile> open_scenario(const std::string& shown) {
 
 }  // namespace
 
-StonefishSource::StonefishSource(const fs::path& file, MissingParts& missing) : missing_(missing) {
-  read(open_scenario(file.string()), fs::absolute(file).lexically_normal(), {});
+StonefishSource::StonefishSource(const fs::path& file, std::span<const std::string> arguments, MissingParts& missing)
+    : missing_(missing) {
+  for (const std::string& argument : arguments) {
+    const std::size_t equals = std::min(argument.find('='), argument.size());
+    given_[argument.substr(0, equals)] = argument.substr(std::min(equals + 1, argument.size()));
+  }
+  read(open_scenario(file.string()), fs::absolute(file).lexically_normal(), given_);
 }
 
 void StonefishSource::read(const std::shared_ptr<const XmlFile>& file, const fs::path& path,
@@ -100,9 +106,9 @@ void StonefishSource::read(const std::shared_ptr<const XmlFile>& file, const fs:
   open_.erase(path);
 }
 
-// The arguments that an <include> passes.
-std::map<std::string, std::string> StonefishSource::arguments_of(const StonefishElement& include) {
-  Arguments arguments;
+// The arguments that an <include> passes, and the user's where it does not.
+std::map<std::string, std::string> StonefishSource::arguments_of(const StonefishElement& include) const {
+  Arguments arguments = given_;
   for (const pugi::xml_node node : include.node.children("arg")) {
     if (!node.attribute("name") || !node.attribute("value")) {
       throw Error(include.file->where(node) + "<arg> must have a name and a value");

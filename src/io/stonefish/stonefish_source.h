@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,14 +19,15 @@ inline constexpr int kMostStonefishIncludes = 1000;
 /// Largest length of an attribute after replacing arguments [bytes].
 inline constexpr std::size_t kLongestStonefishAttribute = 4096;
 
-/// Reads a scenario, replaces each <include> by its file's contents, $(arg ...) by the include's arguments and
-/// $(find ...) by the package's folder.
+/// Reads a scenario, replaces each <include> by its file's contents, $(arg ...) by the include's arguments or the
+/// user's, $(param ...) by the user's and $(find ...) by the package's folder.
 class StonefishSource {
  public:
-  /// @param missing  Receives included files that are missing or unreadable, which are skipped.
+  /// @param arguments  The user's: "px=8". The name of a parameter may be the last part of its path.
+  /// @param missing    Receives included files that are missing or unreadable, which are skipped.
   /// @throws Error for a file that is missing, not XML or not a scenario, for one that includes itself, and for more
   /// than the limits above.
-  StonefishSource(const std::filesystem::path& file, MissingParts& missing);
+  StonefishSource(const std::filesystem::path& file, std::span<const std::string> arguments, MissingParts& missing);
 
   /// The elements inside <scenario>, those of included files after those of the file itself.
   [[nodiscard]] const std::vector<StonefishElement>& elements() const { return elements_; }
@@ -34,8 +36,9 @@ class StonefishSource {
   using Arguments = std::map<std::string, std::string>;
   void read(const std::shared_ptr<const XmlFile>& file, const std::filesystem::path& path, const Arguments& arguments);
   void include(const StonefishElement& element);
-  static Arguments arguments_of(const StonefishElement& include);
+  [[nodiscard]] Arguments arguments_of(const StonefishElement& include) const;
 
+  Arguments given_;
   MissingParts& missing_;
   std::vector<StonefishElement> elements_;
   std::set<std::filesystem::path> open_;

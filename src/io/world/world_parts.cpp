@@ -15,6 +15,7 @@
 #include "io/file/missing_parts.h"
 #include "io/file/name_patterns.h"
 #include "io/world/shape_maker.h"
+#include "io/world/water_shapes.h"
 
 namespace insonify {
 
@@ -73,7 +74,7 @@ Scene WorldParts::scene(std::span<const WorldPart> parts, const std::string& nam
   Scene scene;
   MissingParts missing;
   std::set<std::string> names;
-  std::vector<std::string> for_eyes;
+  std::vector<std::string> water, for_eyes;
   for (const WorldPart& part : parts) {
     if (state.is_ignored(part.name)) {
       continue;
@@ -83,16 +84,24 @@ Scene WorldParts::scene(std::span<const WorldPart> parts, const std::string& nam
     }
     const std::size_t before = scene.instances.size();
     state.add(part, missing, scene);
-    if (part.for_eyes_only && part.material.empty() && scene.instances.size() > before) {
+    if (scene.instances.size() == before || !part.material.empty() || state.options.keep_water) {
+      continue;
+    }
+    if (is_water_name(part.name) || (part.for_eyes_only && is_level_sheet(scene.instances.back()))) {
+      water.push_back(printable(part.name, kLongestName));
+      scene.instances.pop_back();
+    } else if (part.for_eyes_only) {
       for_eyes.push_back(printable(part.name, kLongestName));
     }
   }
   missing.report(name, state.options.strict, state.log);
-  if (!for_eyes.empty()) {
-    log_line(state.log, Severity::kWarning,
-             fmt::format("{}: what is water or invisible to cameras echoes as a solid surface (ignore removes it): {}",
-                         name, fmt::join(for_eyes, ", ")));
-  }
+  const auto warn = [&](const char* text, const std::vector<std::string>& names) {
+    if (!names.empty()) {
+      log_line(state.log, Severity::kWarning, fmt::format("{}: {}: {}", name, text, fmt::join(names, ", ")));
+    }
+  };
+  warn("left out as water (keep_water: true keeps it)", water);
+  warn("what is invisible to cameras echoes as a solid surface (ignore removes it)", for_eyes);
   return scene;
 }
 

@@ -2,8 +2,11 @@
 
 #include "insonify/recorded_pings.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include "insonify/files.h"
 #include "support/message_of.h"
@@ -48,6 +51,19 @@ TEST(RecordedPingsTest, GiveBackWhatARecordingWasGiven) {
   EXPECT_EQ(pings.full_scale(), 1);
   EXPECT_THAT(pings.intensity(0), ElementsAre(0, 0.25, 0.5, 0.75, 1, 0));
   EXPECT_THAT(pings.intensity(1), ElementsAre(0, 0.25, 0.5, 0.75, 1, 0.5));
+}
+
+// HDF5's own lock is one of the whole file, which another process may have, and NFS may refuse.
+TEST(RecordedPingsTest, AreReadWithoutALock) {
+  const WorkingFolder folder;
+  SonarConfig sonar;
+  sonar.beam_count = 2;
+  sonar.bin_count = 3;
+  { const Recording recording("a.h5", Scenario(), Scene(), sonar); }
+  const int file = open("a.h5", O_RDONLY | O_CLOEXEC);
+  ASSERT_EQ(flock(file, LOCK_EX | LOCK_NB), 0);
+  EXPECT_EQ(RecordedPings("a.h5").beam_count(), 2);
+  close(file);
 }
 
 // Data that pictures are drawn from.

@@ -21,6 +21,7 @@ Scenario everything() {
   scenario.world = "/no/such/world.sdf";
   scenario.strict = true;
   scenario.ignore = {"water_surface*", "tank::walls"};
+  scenario.arguments = {"px=8"};
   scenario.max_surfaces = 2;
   scenario.duration = 3;
   scenario.turns = 2;

@@ -103,6 +103,37 @@ TEST_F(SdfOddElementsTest, AnElementThatLibsdformatRefusesIsLeftOut) {
       << said[0];
 }
 
+// Faults of which libsdformat says names only.
+TEST_F(SdfOddElementsTest, WhatRefersToNothingIsLeftOut) {
+  EXPECT_THAT(names(load(world(model("m", "<frame name='f' attached_to='nowhere'/>")))), ElementsAre("m::l::v"));
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_TRUE(
+      said[0].starts_with("scene.sdf: 1 part of the world is skipped (an error with strict: true): scene.sdf:2:38: "
+                          "attached_to name[nowhere] specified by frame with name[f]"))
+      << said[0];
+  EXPECT_THAT(names(load(world(model("m") +
+                               "<model name='n'><static>true</static><link name='k'>"
+                               "<pose relative_to='nowhere'>1 0 0 0 0 0</pose>" +
+                               box("w") + "</link><link name='l'>" + box("v") + "</link></model>"))),
+              ElementsAre("m::l::v", "n::l::v"));
+}
+
+// The file is read from a copy, as its spherical coordinates are removed, in which everything is on other lines.
+TEST_F(SdfOddElementsTest, WarningsNameTheUsersFileAndLine) {
+  (void)load(world("<spherical_coordinates/>\n\n\n<model name='m'><static>true</static>\n<link name='l' colour='red'>" +
+                   box("v") + "</link></model>"));
+  EXPECT_THAT(said,
+              ElementsAre("scene.sdf: [/sdf/world[@name=\"w\"]/model[@name=\"m\"]/link[@name=\"l\"][@colour=\"red\"]:"
+                          "scene.sdf:6]: XML Attribute[colour] in element[link] not defined in SDF"));
+}
+
+TEST_F(SdfOddElementsTest, APoseInDegreesWithoutSayingSoIsTold) {
+  (void)load(world(model("m", "<pose>0 0 0 0 0 80</pose>")));
+  EXPECT_THAT(said, ElementsAre("scene.sdf:2:38: <pose> turns by 80 rad; in degrees it needs degrees='true'"));
+  (void)load(world(model("m", "<pose degrees='true'>0 0 0 0 0 80</pose>")));
+  EXPECT_THAT(said, IsEmpty());
+}
+
 TEST_F(SdfOddElementsTest, StrictWorldsRefuseThem) {
   EXPECT_EQ(error_of(world(model("m", "<pose>1 2 3 0 0</pose>"))),
             "scene.sdf:2:38: <pose> = '1 2 3 0 0' must be 6 finite numbers");

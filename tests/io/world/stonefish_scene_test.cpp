@@ -286,9 +286,60 @@ TEST_F(StonefishTest, WhatIsMissingIsLeftOut) {
       "ROS_PACKAGE_PATH; pool.scn:3:1: <include> 'gone.scn', pool.scn:4:1: static 'm': 'gone.obj' not found in the "
       "scenario's folder, those above it, their folders data, Data and resources, or those of "
       "INSONIFY_MODEL_PATH; pool.scn:5:1: static 'p': <world_transform> xyz = '$(param position)': has no value "
-      "here, write it into the file; pool.scn:6:1: static 'q': <dimensions> radius = '${2*0.5}': formulas are not "
+      "here; --set arguments.position=... gives it one; pool.scn:6:1: static 'q': <dimensions> radius = '${2*0.5}': "
+      "formulas are not "
       "worked out, write the number");
   EXPECT_THAT(error_of(broken), HasSubstr("pool.scn: nothing is left to insonify: pool.scn:2:1: "));
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+TEST_F(StonefishTest, ArgumentsOfTheUserReplaceThoseOfLaunchFiles) {
+  const std::string balls =
+      "<static name='b' type='sphere'><dimensions radius='1'/>"
+      "<world_transform xyz='$(arg px) $(param /rov/py) 3' rpy='0 0 0'/></static>\n";
+  write("inner.scn", scenario(balls));
+  const std::string outer = "<include file='inner.scn'><arg name='py' value='7'/></include>" + ball("a", "0 0 0");
+  const Scene scene = load(balls + outer, {.arguments = {"px=8", "py=9"}});
+  ASSERT_THAT(names_of(scene), ElementsAre("b", "a", "b_2"));
+  EXPECT_THAT(scene.instances[0].world_from_mesh.position, testing::Eq(Vec3(8, -9, -3)));
+  EXPECT_THAT(scene.instances[2].world_from_mesh.position, testing::Eq(Vec3(8, -7, -3)));
+
+  EXPECT_EQ(error_of(balls),
+            "pool.scn: nothing is left to insonify: pool.scn:2:1: static 'b': <world_transform> xyz = '$(arg px) "
+            "$(param /rov/py) 3': has no value here; --set arguments.px=... gives it one");
+}
+
+TEST_F(StonefishTest, ArgumentsAreAMapOfAScenario) {
+  write("pool.scn", scenario(ball("a", "0 0 0")));
+  const std::string yaml = "world: pool.scn\nsonars: [{}]\narguments: {px: 8, name: rov}\n";
+  EXPECT_THAT(parse(yaml).arguments, ElementsAre("px=8", "name=rov"));
+  EXPECT_THAT(parse(yaml, {"arguments.px=9", "arguments.z=1.5"}).arguments, ElementsAre("px=9", "name=rov", "z=1.5"));
+  EXPECT_THAT(parse("world: pool.scn\nsonars: [{}]\n", {"arguments.px=9"}).arguments, ElementsAre("px=9"));
+  const auto error = [&](const std::string& arguments) {
+    return without_folder(message_of([&] { (void)parse("world: pool.scn\narguments: " + arguments + "\n"); }));
+  };
+  EXPECT_EQ(error("[px]"), "scenario:2:13: arguments[0] = \"px\" must be name=value");
+  EXPECT_EQ(error("{px: [1, 2]}"), "scenario:2:13: arguments.px = [1, 2] must be a text or a number");
+}
+
+// The sensor's place follows from an argument too.
+TEST_F(StonefishTest, SonarsHaveTheSameArguments) {
+  write("pool.scn", scenario("<sensor name='fls' type='fls'><specs beams='$(arg beams)' bins='100' horizontal_fov='90' "
+                             "vertical_fov='20'/><world_transform xyz='0 0 0' rpy='0 0 0'/></sensor>" +
+                             ball("a", "5 0 0")));
+  EXPECT_EQ(parse("world: pool.scn\narguments: {beams: 64}\n").sonars.at(0).beam_count, 64);
+  EXPECT_EQ(parse("world: pool.scn\n", {"arguments.beams=32"}).sonars.at(0).beam_count, 32);
+}
+
+TEST_F(StonefishTest, ThePhysicalMeshStandsForAVisualThatCannotBeRead) {
+  write("solid.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const Scene scene = load("<static name='m' type='model'>" + mesh("visual", "gone.obj") +
+                           mesh("physical", "solid.obj") + transform("world_transform", "0 0 0") + "</static>");
+  EXPECT_EQ(scene.instances.at(0).mesh->triangles.size(), 1U);
+  EXPECT_EQ(said.at(0),
+            "pool.scn:2:1: static 'm': 'gone.obj' not found in the scenario's folder, those above it, their folders "
+            "data, Data and resources, or those of INSONIFY_MODEL_PATH: the mesh of <physical> is taken");
 }
 
 }  // namespace
