@@ -136,7 +136,7 @@ TEST(StrangersFilesTest, EndlessFilesAreRefused) {
     GTEST_SKIP() << "A sanitizer ends the reader by an exit status, and has no limit of memory";
   }
   const WorkingFolder folder;
-  const Setting limits("INSONIFY_READER_LIMITS", "1 5");
+  const Setting limits("INSONIFY_READER_LIMITS", "0.4 5");
   for (const char* name : {"a.obj", "a.stl", "a.dae", "a.ply", "a.gltf", "a.glb", "a.png", "a.bag", "a.asc", "a.h5"}) {
     std::filesystem::create_symlink("/dev/zero", name);
     EXPECT_THAT(message_of([&] {

@@ -110,6 +110,9 @@ int moved_up(int file) {
 
 // Starts the program with these two files and no others, and with no signal blocked or ignored.
 int spawn_reader(const std::string& program, int socket, int memory, pid_t& child) {
+  std::string name = "insonify-read", version = kVersion,
+              bytes = fmt::format("{:.0f}", reader_limits().memory_gb * 1e9);
+  char* arguments[] = {name.data(), version.data(), bytes.data(), nullptr};
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);
   for (const int file : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
@@ -126,9 +129,6 @@ int spawn_reader(const std::string& program, int socket, int memory, pid_t& chil
   posix_spawnattr_setsigmask(&how, &none);
   posix_spawnattr_setsigdefault(&how, &all);
   posix_spawnattr_setflags(&how, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-  std::string name = "insonify-read", version = kVersion,
-              bytes = fmt::format("{:.0f}", reader_limits().memory_gb * 1e9);
-  char* arguments[] = {name.data(), version.data(), bytes.data(), nullptr};
   const int failure = posix_spawn(&child, program.c_str(), &files, &how, arguments, environ);
   posix_spawnattr_destroy(&how);
   posix_spawn_file_actions_destroy(&files);
@@ -176,14 +176,6 @@ void read_files_in_process() {
 
 ReaderProcess::~ReaderProcess() {
   stop();
-}
-
-void ReaderProcess::prepare() {
-  const std::lock_guard lock(mutex_);
-  try {
-    start({});
-  } catch (const Error&) {  // The first request says it, with its file.
-  }
 }
 
 void ReaderProcess::start(const StrangersFile& file) {
@@ -307,7 +299,6 @@ void ReaderProcess::ask(const StrangersFile& file, ReaderTask task,
 SharedReader::SharedReader() {
   if (shared_reader == nullptr && !reads_here()) {
     shared_reader = &own_.emplace();
-    shared_reader->prepare();
   }
 }
 

@@ -60,9 +60,6 @@ class ReaderProcess {
   ReaderProcess(const ReaderProcess&) = delete;
   ReaderProcess& operator=(const ReaderProcess&) = delete;
 
-  /// Starts the process if it does not run, so that it gets ready meanwhile. Failures are told by the next request.
-  void prepare();
-
   /// Has a task done.
   /// @param put_arguments  Writes them.
   /// @param get_result     Reads it, and throws BrokenAnswer for one that cannot be.
@@ -97,7 +94,7 @@ class ReaderProcess {
   int socket_ = -1, memory_ = -1;
 };
 
-/// While it lives, read_apart() in this thread uses one process for all files, which gets ready at once.
+/// While it lives, read_apart() in this thread uses one process for all files.
 class SharedReader {
  public:
   SharedReader();

@@ -20,6 +20,7 @@
 #include "io/file/reader_process.h"
 #include "io/mesh/flatten_scene.h"
 #include "io/mesh/mesh_file.h"
+#include "io/mesh/mesh_read_ahead.h"
 
 namespace insonify {
 namespace {
@@ -196,6 +197,11 @@ Mesh load_mesh_file(const std::filesystem::path& path, const Submesh& submesh, c
 
   if (is_stream(path)) {
     throw Error(path.string() + ": is not a regular file");
+  }
+  if (MeshReadAhead* const ahead = MeshReadAhead::current()) {
+    if (std::optional<Mesh> mesh = ahead->take(path, submesh, log)) {
+      return std::move(*mesh);
+    }
   }
   try {
     return load_and_clean(path, submesh, log);

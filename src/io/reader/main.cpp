@@ -26,6 +26,12 @@ namespace {
 
 // ---------------------------------------------------------------- What it cannot do
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kSanitized = true;  // A sanitizer takes memory and opens files of its own.
+#else
+constexpr bool kSanitized = false;
+#endif
+
 void limit(decltype(RLIMIT_AS) resource, rlim_t most) {
   rlimit now{};
   getrlimit(resource, &now);
@@ -67,9 +73,7 @@ void confine(std::uint64_t memory_bytes) {
   constexpr rlim_t kFiles = 64;
   std::set_new_handler([] { _exit(kReaderNoMemory); });
   std::signal(SIGINT, SIG_IGN);  // Ctrl-C is for the parent.
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-  limit(RLIMIT_AS, memory_bytes);
-#endif
+  limit(RLIMIT_AS, kSanitized ? RLIM_INFINITY : memory_bytes);
   limit(RLIMIT_FSIZE, memory_bytes);  // That which it hands back, too.
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_NOFILE, kFiles);
@@ -92,7 +96,7 @@ using OpenRecording = std::unique_ptr<Hdf5Tables>;
 Hdf5Tables& opened(OpenRecording& recording, const std::string& path) {
   if (recording == nullptr) {
     recording = std::make_unique<Hdf5Tables>(path);
-    limit(RLIMIT_NOFILE, 0);
+    limit(RLIMIT_NOFILE, kSanitized ? RLIM_INFINITY : 0);
   }
   return *recording;
 }

@@ -129,6 +129,9 @@ SdfFile parse(const std::filesystem::path& path, const SdfReading& reading, cons
   if (reading.strict) {
     missing.report(path.string(), reading.strict, log);
   }
+  if (MeshReadAhead* const ahead = MeshReadAhead::current()) {
+    parsed.source->want_meshes(*ahead);
+  }
   try {
     parsed.root = read_sdf_root(*parsed.source, log);
   } catch (const SdfFault&) {

@@ -9,6 +9,10 @@ namespace {
 
 Scene load_sdf_scene(const std::filesystem::path& path, const WorldOptions& options, const Log& log) {
   const auto lock = lock_sdf();
+  std::optional<MeshReadAhead> ahead;
+  if (!options.collisions && options.ignore.empty()) {  // Else it would read files that are not used.
+    ahead.emplace();
+  }
   MissingParts missing;
   SdfFile parsed = read_sdf_file(path, {.strict = options.strict, .twins = true}, missing, log);
   const SdfTwins& twins = parsed.source->twins();

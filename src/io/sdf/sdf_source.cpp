@@ -48,6 +48,19 @@ SdfSource::~SdfSource() {
   }
 }
 
+void SdfSource::want_meshes(MeshReadAhead& ahead) const {
+  const auto is_file = [](const fs::path& path) { return !fs::is_directory(path); };
+  for (const auto& [name, source] : sources_) {
+    for (const pugi::xpath_node& found : source->xml.root().select_nodes("//visual/geometry/mesh")) {
+      const pugi::xml_node mesh = found.node(), submesh = mesh.child("submesh");
+      const std::optional<fs::path> path = find_sdf_uri(xml_text(mesh.child("uri")), name, is_file);
+      if (path && is_mesh_file(*path) && is_file(*path)) {
+        ahead.want(*path, {xml_text(submesh.child("name")), submesh.child("center").text().as_bool()});
+      }
+    }
+  }
+}
+
 std::string SdfSource::original(const std::string& path) const {
   const auto entry = originals_.find(path);
   return entry == originals_.end() ? path : entry->second;

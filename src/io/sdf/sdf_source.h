@@ -14,6 +14,7 @@
 #include "insonify/log.h"
 #include "io/file/missing_parts.h"
 #include "io/file/xml_file.h"
+#include "io/mesh/mesh_read_ahead.h"
 #include "io/sdf/sdf_check.h"
 #include "io/sdf/sdf_twins.h"
 
@@ -55,6 +56,9 @@ class SdfSource {
 
   /// Models of the file itself that were taken out of its world.
   [[nodiscard]] const SdfTwins& twins() const { return twins_; }
+
+  /// Asks for the meshes of all visuals.
+  void want_meshes(MeshReadAhead& ahead) const;
 
   /// The user's file that one of files() is a copy of, absolute; any other path unchanged.
   [[nodiscard]] std::string original(const std::string& path) const;
