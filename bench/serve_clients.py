@@ -103,7 +103,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         scenario = pathlib.Path(folder) / "points.yaml"
         scenario.write_text(SCENARIO)
-        server = subprocess.Popen([options.insonify, "serve", scenario, "--port", "0", "--rate", str(options.rate)],
+        server = subprocess.Popen([options.insonify, "serve", scenario, "--port", "0", "--no-token", "--rate", str(options.rate)],
                                   stdout=subprocess.PIPE, text=True)
         port = int(server.stdout.readline().strip().rstrip("/").rsplit(":", 1)[1])
         time.sleep(1)

@@ -10,6 +10,9 @@
 namespace insonify {
 namespace {
 
+constexpr std::size_t kMostWishes = 1000;
+constexpr const char* kEnds = "the simulation ends";
+
 void answer(const std::vector<LiveChange>& changes, const std::string& error) {
   for (const LiveChange& change : changes) {
     if (change.done) {
@@ -31,13 +34,26 @@ Log LiveLoop::State::log() const {
 void LiveLoop::State::request(LiveChange change) {
   {
     const Lock lock(mutex);
-    if (!ending) {
+    if (!ending && wishes.size() < kMostWishes) {
       wishes.push_back(std::move(change));
       changed.notify_all();
       return;
     }
   }
-  answer({std::move(change)}, "the simulation ends");
+  answer({std::move(change)}, ending ? kEnds : "too many requests wait for an answer");
+}
+
+// Those left when the loop ends are only answered.
+void LiveLoop::State::prepare_each(std::vector<LiveChange> batch, Lock& lock) {
+  for (LiveChange& change : batch) {
+    if (ending) {
+      lock.unlock();
+      answer({std::move(change)}, kEnds);
+      lock.lock();
+    } else {
+      prepare_batch({std::move(change)}, lock);
+    }
+  }
 }
 
 // Prepares changes together; if that fails, one by one, so that valid ones are applied. The start of a
@@ -46,10 +62,7 @@ void LiveLoop::State::request(LiveChange change) {
 void LiveLoop::State::prepare_batch(std::vector<LiveChange> batch, Lock& lock) {
   if (batch.size() > 1 &&
       std::ranges::any_of(batch, [](const LiveChange& change) { return !change.recording.empty(); })) {
-    for (LiveChange& change : batch) {
-      prepare_batch({std::move(change)}, lock);
-    }
-    return;
+    return prepare_each(std::move(batch), lock);
   }
   const LiveSettings settings_now = settings;
   const Scenario scenario_now = scenario;
@@ -62,7 +75,7 @@ void LiveLoop::State::prepare_batch(std::vector<LiveChange> batch, Lock& lock) {
   try {
     next = builder.prepare(batch, settings_now, scenario_now, standing_now, objects_now, world_now->scene, log());
   } catch (const Interrupted&) {
-    error = "the simulation ends";
+    error = kEnds;
   } catch (const std::exception& failure) {
     error = failure.what();
   }
@@ -73,10 +86,7 @@ void LiveLoop::State::prepare_batch(std::vector<LiveChange> batch, Lock& lock) {
   }
   lock.lock();
   if (!next) {
-    for (LiveChange& change : batch) {
-      prepare_batch({std::move(change)}, lock);
-    }
-    return;
+    return prepare_each(std::move(batch), lock);
   }
   // The other thread answers.
   prepared = std::move(next);

@@ -123,6 +123,7 @@ struct LiveLoop::State {
   // live_prepare.cpp: the thread that prepares changes.
   void prepare_changes();
   void prepare_batch(std::vector<LiveChange> batch, Lock& lock);
+  void prepare_each(std::vector<LiveChange> batch, Lock& lock);
 
   [[nodiscard]] LiveStanding standing() const { return {run->start(), run->next_time(), run->next_pose()}; }
   void request(LiveChange change);

@@ -30,15 +30,18 @@ sonars:
 
 class Server:
     """insonify serve, or another command, in a folder of its own, with the scenario and the texts `others` by their
-    names, where the command lines `before` were run; `port` is what it told."""
+    names, where the command lines `before` were run; `port` is what it told. Without `token`, and where no option names one, it wants none."""
 
-    def __init__(self, *options, command=("serve", "live.yaml"), before=(), scenario=SCENARIO, others=(), largest_file=None):
+    def __init__(self, *options, command=("serve", "live.yaml"), before=(), scenario=SCENARIO, others=(), largest_file=None,
+                 token=False):
         self.folder = tempfile.TemporaryDirectory()
         self.path = pathlib.Path(self.folder.name)
         for name, text in {"live.yaml": scenario, **dict(others)}.items():
             (self.path / name).write_text(text)
         for line in before:
             subprocess.run([INSONIFY, *line], cwd=self.path, check=True, capture_output=True)
+        if not token and "--token" not in options:
+            options += ("--no-token",)
         limit = None
         if largest_file:  # Stands for the end of a disk.
             def limit():

@@ -42,8 +42,8 @@ class Starting(unittest.TestCase):
     def test_bad_addresses_are_one_line(self):
         self.assertEqual(self.refused("x.yaml", "--address", "12.0.0", "--token", "t"),
                          (2, "insonify: --address 12.0.0 must be an IP address, such as 127.0.0.1 or ::1, or localhost\n"))
-        self.assertEqual(self.refused("x.yaml", "--address", "0.0.0.0"),
-                         (2, "insonify: --address 0.0.0.0 can be reached by others: it needs a --token, which clients must send\n"))
+        self.assertEqual(self.refused("x.yaml", "--address", "0.0.0.0", "--no-token"),
+                         (2, "insonify: --address 0.0.0.0 can be reached by others: --no-token is only for this machine\n"))
         status, err = self.refused("/nowhere/x.yaml", "--port", "0")
         self.assertEqual((status, err), (2, "insonify: /nowhere/x.yaml: no such file\n"))
 
@@ -59,6 +59,22 @@ class Starting(unittest.TestCase):
                 self.assertEqual(self.refused("x.yaml", "--allow-origin", origin),
                                  (2, f"insonify: --allow-origin {origin} must be a scheme and a host, such as https://app.example "
                                      "or http://localhost:8080, without a path\n"))
+
+    def test_options_that_contradict_a_token_are_one_line(self):
+        self.assertEqual(self.refused("x.yaml", "--token", "t", "--no-token"),
+                         (2, "insonify: --token and --no-token exclude each other\n"))
+        self.assertEqual(self.refused("x.yaml", "--allow-origin", "https://app.example"),
+                         (2, "insonify: --allow-origin has no effect without --no-token: pages of any origin may connect with the token\n"))
+
+    def test_each_start_has_a_token_of_its_own(self):
+        tokens = set()
+        for _ in range(2):
+            server = self.served(token=True)
+            token = re.fullmatch(rf"http://127\.0\.0\.1:{server.port}/\?token=([0-9a-f]{{32}})", server.address)[1]
+            self.assertEqual(Socket(server.port).open()[0], 401)
+            self.assertEqual(Socket(server.port).open(target=f"/?token={token}")[0], 101)
+            tokens.add(token)
+        self.assertEqual(len(tokens), 2)
 
     # Characters that end a query, or that a browser would read as something else.
     def test_the_address_holds_any_token(self):
@@ -269,7 +285,7 @@ sonars: [{name: head, type: msis, beam_count: 1, azimuth_aperture_deg: 4, step_d
                          (2, "", "insonify: --record dive.h5: the scenario that repeats the recording would replace dive.yaml, "
                                  "which is served; give another name\n"))
         self.assertEqual(first, ((server.path / "dive.h5").read_bytes(), (server.path / "dive.yaml").read_bytes()))
-        again = subprocess.Popen([INSONIFY, "serve", "live.yaml", "--port", "0", "--record", "dive.h5", "--force",
+        again = subprocess.Popen([INSONIFY, "serve", "live.yaml", "--port", "0", "--record", "dive.h5", "--force", "--no-token",
                                   "--set", "sonars=[{name: two, max_range: 5}]"], cwd=server.path, text=True,
                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         Socket(int(again.stdout.readline().rstrip("/\n").rsplit(":", 1)[1])).open_for_ping()

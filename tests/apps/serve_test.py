@@ -163,12 +163,25 @@ class Serving(unittest.TestCase):
                              ('{"op": "dance"}', "dance: unknown op"),
                              ('{"op": "pause", "on": 1}', "pause: \"on\" must be true or false"),
                              ('{"op": "fly", "linear": [1, 2], "angular": [0, 0, 0]}', "fly: \"linear\" must be a list of 3 numbers"),
-                             ("[" * 100000, "the message is not a JSON object")):
+                             ("[" * 33, "the message is more than 32 brackets deep"),
+                             ("[" * 32, "the message is not a JSON object"),
+                             ('{"op": ' * 33, "the message is more than 32 brackets deep")):
             with self.subTest(data[:20]):
                 page = self.page()
                 page.send_frame(data)
                 self.assertEqual(page.text("closing"), {"op": "closing", "reason": reason})
                 self.assertEqual(page.closing(), (1008, reason))
+
+    def test_a_megabyte_of_brackets_ends_the_connection(self):
+        for op, key in (("set", "settings"), ("watch", "tables"), ("fly", "linear"), ("place", "position"), ("pause", "on"),
+                        ("seek", "time"), ("material", "object"), ("record", "format"), ("save", "more")):
+            for opening, closing in (("[", "]"), ('{"a":', "}")):
+                start, middle, end = f'{{"op":"{op}","{key}":', "1" if closing == "}" else "", "}"
+                depth = (1000000 - len(start + middle + end)) // len(opening + closing)
+                with self.subTest(op=op, opening=opening):
+                    page = self.page()
+                    page.send_frame(start + opening * depth + middle + closing * depth + end)
+                    self.assertEqual(page.closing(), (1008, "the message is more than 32 brackets deep"))
 
     def test_bytes_that_are_no_text_end_the_connection(self):
         page = self.page()

@@ -194,6 +194,29 @@ TEST_F(LiveRecordingTest, PingsGoOnWhileBeamsArePreparedAndTheEndDoesNotWaitForT
   EXPECT_EQ(told.get(), "the simulation ends");
 }
 
+// As many as a client can send in a second, each of which takes milliseconds to refuse.
+TEST_F(LiveRecordingTest, RequestsThatWaitAreLimitedAndTheEndOnlyAnswersThem) {
+  const auto loop = started(scenario_text());
+  constexpr int kRequests = 4000;
+  std::mutex mutex;
+  std::map<std::string, int> answers;
+  for (int i = 0; i < kRequests; ++i) {
+    loop->set({"no_such_key=4"}, [&](const std::string& error) {
+      const std::lock_guard lock(mutex);
+      ++answers[error];
+    });
+  }
+  loop->end();
+  EXPECT_GT(answers["too many requests wait for an answer"], 0);
+  EXPECT_GT(answers["the simulation ends"], 0);
+  int all = 0;
+  for (const auto& [error, count] : answers) {
+    EXPECT_NE(error, "");
+    all += count;
+  }
+  EXPECT_EQ(all, kRequests);
+}
+
 TEST_F(LiveRecordingTest, ARecordingReplacesOthersWhereThatIsAllowedAndNotWithoutAPing) {
   const auto loop = started(scenario_text());
   for (const char* name : {"out.yaml", "out.mcap", "none.yaml", "none-fls.h5", "none-head.h5"}) {

@@ -23,7 +23,7 @@ sonars:
   - {name: side, beam_count: 8, bin_count: 30, azimuth_aperture_deg: 30, max_range: 8, ping_period: 0.1}
 `);
 
-const server = spawn(insonify, ["serve", join(folder, "points.yaml"), "--port", "0"], {cwd: folder});
+const server = spawn(insonify, ["serve", join(folder, "points.yaml"), "--port", "0", "--no-token"], {cwd: folder});
 let said = "";
 server.stdout.on("data", (bytes) => (said += bytes));
 server.stderr.on("data", (bytes) => process.stderr.write(bytes));

@@ -8,11 +8,11 @@
 #include <array>
 #include <chrono>
 #include <cstring>
-#include <nlohmann/json.hpp>
 
 #include "insonify/error.h"
 #include "insonify/printable.h"
 #include "insonify/version.h"
+#include "serve/json_messages.h"
 
 namespace insonify {
 namespace {
@@ -97,8 +97,8 @@ void FoxgloveClient::on_binary(std::string_view /*bytes*/) {
 }
 
 void FoxgloveClient::on_text(std::string_view text) {
-  const nlohmann::json message = nlohmann::json::parse(text, nullptr, false);
-  if (message.is_discarded() || !message.is_object() || !message.contains("op") || !message["op"].is_string()) {
+  const nlohmann::json message = parse_message(text);
+  if (!message.is_object() || !message.contains("op") || !message["op"].is_string()) {
     throw Error("the message is not a JSON object with an op");
   }
   const std::string op = message["op"].get<std::string>();

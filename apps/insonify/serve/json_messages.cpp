@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace insonify {
 namespace {
 
@@ -17,6 +19,18 @@ double number_in(const json& value, const char* key) {
 }
 
 }  // namespace
+
+json parse_message(std::string_view text) {
+  static constexpr int kDeepest = 32;
+  const auto check_depth = [](int depth, json::parse_event_t event, const json& /*value*/) {
+    const bool opens = event == json::parse_event_t::object_start || event == json::parse_event_t::array_start;
+    if (opens && depth >= kDeepest) {
+      throw FormError(fmt::format("the message is more than {} brackets deep", kDeepest));
+    }
+    return true;
+  };
+  return json::parse(text, check_depth, false);
+}
 
 const json& member(const json& message, const char* key) {
   const auto found = message.find(key);
@@ -48,14 +62,10 @@ double number_of(const json& message, const char* key) {
 
 std::vector<std::string> texts_of(const json& message, const char* key) {
   const json& value = member(message, key);
-  std::vector<std::string> texts;
-  for (const json& one : value.is_array() ? value : json::array({nullptr})) {
-    if (!one.is_string()) {
-      throw FormError(fmt::format("\"{}\" must be a list of texts", key));
-    }
-    texts.push_back(one.get<std::string>());
+  if (!value.is_array() || !std::ranges::all_of(value, [](const json& one) { return one.is_string(); })) {
+    throw FormError(fmt::format("\"{}\" must be a list of texts", key));
   }
-  return texts;
+  return value.get<std::vector<std::string>>();
 }
 
 Eigen::VectorXd numbers_of(const json& message, const char* key, int count) {

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "insonify/error.h"
@@ -34,6 +35,10 @@ class FormError : public Error {
  public:
   using Error::Error;
 };
+
+/// Reads a text with the members that the caller uses; `discarded` if it is not JSON.
+/// @throws FormError if it is more than 32 brackets deep: values are copied and written by recursion.
+[[nodiscard]] nlohmann::json parse_message(std::string_view text);
 
 /// All functions here throw FormError for a missing key or a value of the wrong type.
 [[nodiscard]] const nlohmann::json& member(const nlohmann::json& message, const char* key);

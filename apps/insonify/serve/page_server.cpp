@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <random>
 
 #include "console/console.h"
 #include "console/outcome.h"
@@ -98,10 +99,29 @@ void check(const PageServerOptions& options) {
                       printable(origin)));
     }
   }
-  if (options.token.empty() && !is_loopback(options.address)) {
-    throw InputError(fmt::format("--address {} can be reached by others: it needs a --token, which clients must send",
+  if (options.no_token && !options.token.empty()) {
+    throw InputError("--token and --no-token exclude each other");
+  }
+  if (options.no_token && !is_loopback(options.address)) {
+    throw InputError(fmt::format("--address {} can be reached by others: --no-token is only for this machine",
                                  printable(options.address)));
   }
+  if (!options.no_token && !options.origins.empty()) {
+    throw InputError("--allow-origin has no effect without --no-token: pages of any origin may connect with the token");
+  }
+}
+
+// 128 random bits.
+std::string new_token() {
+  std::random_device random;
+  return fmt::format("{:08x}{:08x}{:08x}{:08x}", random(), random(), random(), random());
+}
+
+PageServerOptions with_token(PageServerOptions options) {
+  if (options.token.empty() && !options.no_token) {
+    options.token = new_token();
+  }
+  return options;
 }
 
 // Ends a source before its listeners, also on an exception.
@@ -126,21 +146,22 @@ class SourceEnd {
 
 void add_server_options(const Command& command, PageServerOptions& options) {
   command.option("--port", "N", &options.port, "Port; 0: any free port [8765]", whole_number(0, 65535));
-  command.option("--address", "IP", &options.address,
-                 "Address to listen on; others than loopback need --token [127.0.0.1]");
-  command.option("--token", "T", &options.token, "Secret that every connection must send", not_empty("a secret"));
+  command.option("--address", "IP", &options.address, "Address to listen on [127.0.0.1]");
+  command.option("--token", "T", &options.token, "Secret that every connection must send [a new one at each start]",
+                 not_empty("a secret"));
+  command.flag("--no-token", &options.no_token, "Programs and users of this machine connect without one");
   command.option("--allow-origin", "ORIGIN", &options.origins,
-                 "Web page of another origin that may connect; may be repeated");
+                 "With --no-token: web page of another origin that may connect; may be repeated");
   command.flag("-q,--quiet", &options.quiet, "Print only the address, warnings and errors");
   command.under("").option("--page", "DIR", &options.page, "Serve the page from this folder");
 }
 
-PageServer::PageServer(const PageServerOptions& options) : options_(options) {
+PageServer::PageServer(const PageServerOptions& options) : options_(with_token(options)) {
   check(options);
   server_ = std::make_unique<NetServer>(NetServerOptions{
       .address = options.address,
       .port = static_cast<std::uint16_t>(options.port),
-      .access = {.token = options.token, .origins = options.origins},
+      .access = {.token = options_.token, .origins = options.origins},
       .protocols = {std::string(kViewerProtocol), std::string(kFoxgloveSdkProtocol), std::string(kFoxgloveProtocol)},
       .file = [this](std::string_view path) { return page_file(path, options_.page); },
       .client =

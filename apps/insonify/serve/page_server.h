@@ -21,7 +21,8 @@ class NetServer;
 struct PageServerOptions {
   int port = 8765;  ///< 0: any free port.
   std::string address = "127.0.0.1";
-  std::string token;                 ///< "": none, loopback only.
+  std::string token;                 ///< "": a new one.
+  bool no_token = false;             ///< None; loopback only.
   std::vector<std::string> origins;  ///< Other pages allowed to connect without a token.
   bool quiet = false;                ///< Print only the address, warnings and errors.
   MessageOptions messages;           ///< For Foxglove's messages.

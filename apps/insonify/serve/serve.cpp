@@ -138,7 +138,7 @@ void add_serve(const Command& program) {
       "Examples:\n"
       "  insonify serve scenes/ferry_calibrated.yaml\n"
       "  insonify serve scenes/tank.yaml --port 9000 --rate 10 --record tank.h5\n"
-      "  insonify serve scenes/tank.yaml --address 0.0.0.0 --token \"$(openssl rand -hex 16)\"");
+      "  insonify serve scenes/tank.yaml --address 0.0.0.0");
   command.act([&options] {
     if (options.strict) {
       options.settings.emplace_back("--strict=true");

@@ -45,13 +45,12 @@ class ViewerClient : public Client, public HubMember, public std::enable_shared_
   void on_binary(std::string_view /*bytes*/) override { end("messages to the server are texts"); }
 
   void on_text(std::string_view text) override {
-    const json message = json::parse(text, nullptr, false);
-    if (message.is_discarded() || !message.is_object()) {
-      end("the message is not a JSON object");
-      return;
-    }
     std::string op;
     try {
+      const json message = parse_message(text);
+      if (!message.is_object()) {
+        throw FormError("the message is not a JSON object");
+      }
       op = text_of(message, "op");
       carry_out(op, message);
       hub_.send_state_soon();

@@ -6,7 +6,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <map>
 #include <span>
 #include <unordered_map>
@@ -31,9 +30,7 @@ Json matrix_of(const Pose& pose) {
 
 template <typename Value>
 void append(std::string& bytes, std::span<const Value> values) {
-  const std::size_t at = bytes.size();
-  bytes.resize(at + values.size_bytes());
-  std::memcpy(bytes.data() + at, values.data(), values.size_bytes());
+  bytes.append(reinterpret_cast<const char*>(values.data()), values.size_bytes());
 }
 
 void pad(std::string& bytes) {
@@ -141,12 +138,12 @@ DrawnMesh thinned(const Mesh& mesh) {
   }
   const float size = std::max(box.sizes().maxCoeff(), 1e-6F);
   DrawnMesh drawn;
-  for (float cells = 512; cells >= 8; cells /= 2) {
+  for (int cells = 512; cells >= 8; cells /= 2) {
     drawn = {};
     std::unordered_map<std::uint64_t, std::uint32_t> cell_vertices;
     std::vector<std::uint32_t> merged;
     for (const Vec3f& vertex : mesh.vertices) {
-      const Vec3f place = (vertex - box.min()) / size * cells;
+      const Vec3f place = (vertex - box.min()) / size * static_cast<float>(cells);
       const std::uint64_t key = static_cast<std::uint64_t>(place.x()) << 42 |
                                 static_cast<std::uint64_t>(place.y()) << 21 | static_cast<std::uint64_t>(place.z());
       const auto [cell, is_new] = cell_vertices.emplace(key, static_cast<std::uint32_t>(drawn.vertices.size()));

@@ -153,7 +153,7 @@ void NetServer::post(std::function<void()> function) {
   net::post(state_->context, std::move(function));
 }
 
-void NetServer::every(std::chrono::milliseconds interval, std::function<void()> function) {
+void NetServer::every(std::chrono::milliseconds interval, const std::function<void()>& function) {
   state_->repeat(interval, std::make_shared<net::steady_timer>(state_->context), function);
 }
 

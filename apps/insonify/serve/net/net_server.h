@@ -85,7 +85,7 @@ class NetServer {
   /// Posts a function to the server's thread. From any thread.
   void post(std::function<void()> function);
   /// Calls a function periodically in the server's thread.
-  void every(std::chrono::milliseconds interval, std::function<void()> function);
+  void every(std::chrono::milliseconds interval, const std::function<void()>& function);
 
  private:
   struct State;

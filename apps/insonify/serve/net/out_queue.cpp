@@ -7,7 +7,7 @@
 namespace insonify {
 namespace {
 
-constexpr std::size_t kMostWaiting = 64 * 1024 * 1024;  // Without pings [bytes].
+constexpr std::size_t kMostWaiting = std::size_t{64} * 1024 * 1024;  // Without pings [bytes].
 
 }  // namespace
 
