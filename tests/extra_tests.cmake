@@ -25,13 +25,13 @@ add_test(NAME headers_stand_alone
 set_tests_properties(headers_stand_alone PROPERTIES PROCESSORS 2)
 
 # The Python package, as a program of Python sees it. A sanitized module would need the sanitizer in Python itself.
-if(TARGET insonify_python AND INSONIFY_BUILD_APPS AND NOT INSONIFY_SANITIZE)
+if(TARGET insonify_python AND NOT INSONIFY_SANITIZE)
   add_test(NAME python_package
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/python/package_test.py $<TARGET_FILE:insonify_cli> ${PROJECT_SOURCE_DIR})
   add_test(NAME python_types
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/python/types_test.py ${PROJECT_SOURCE_DIR})
   set(python_tests python_package python_types)
-  foreach(name config recording layers plot acoustics compare same_bytes mistakes mcap_input unfinished pickle message_options from_dict pose_forms arguments)
+  foreach(name config recording layers plot acoustics compare same_bytes mistakes mcap_input unfinished pickle message_options from_dict pose_forms arguments end)
     add_test(NAME python_${name}
       COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/python/${name}_test.py $<TARGET_FILE:insonify_cli> ${PROJECT_SOURCE_DIR})
     list(APPEND python_tests python_${name})
@@ -53,10 +53,11 @@ else()
 endif()
 add_test(NAME linkage
   COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/install/linkage_test.py $<$<BOOL:${hardened}>:--hardened>
-          $<TARGET_FILE:insonify> $<TARGET_FILE:insonify_cli> $<TARGET_FILE:insonify_reader> $<$<TARGET_EXISTS:insonify_sdf>:$<TARGET_FILE:insonify_sdf>>
+          $<TARGET_FILE:insonify> $<TARGET_FILE_DIR:insonify> $<TARGET_FILE_DIR:insonify_cli> $<TARGET_FILE_DIR:insonify_reader>
+          $<$<TARGET_EXISTS:insonify_python>:$<TARGET_FILE_DIR:insonify_python>>
   COMMAND_EXPAND_LISTS)
 # The reader of SDF is opened at the first SDF file, and where it is absent a line says so.
-if(TARGET insonify_sdf AND INSONIFY_BUILD_APPS AND NOT INSONIFY_SANITIZE)
+if(TARGET insonify_sdf AND NOT INSONIFY_SANITIZE)
   add_test(NAME sdf_library
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/install/sdf_library_test.py $<TARGET_FILE:insonify_cli>
             $<TARGET_FILE:insonify> $<TARGET_SONAME_FILE_NAME:insonify> ${PROJECT_SOURCE_DIR}/scenes/sphere.yaml)
@@ -215,7 +216,7 @@ if(INSONIFY_BUILD_APPS)
   set_tests_properties(exported_arrays PROPERTIES SKIP_RETURN_CODE 77)
 endif()
 # The node of ROS 1 with a roscore of its own.
-if(INSONIFY_BUILD_APPS AND NOT INSONIFY_SANITIZE)
+if(NOT INSONIFY_SANITIZE)
   foreach(subject recording settings roscore poses)
     add_test(NAME ros1_${subject}
       COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/bridges/ros1/${subject}_test.py $<TARGET_FILE:insonify_cli>)

@@ -9,6 +9,7 @@
 #include "bind.h"
 #include "convert.h"
 #include "insonify/export.h"
+#include "interpreter_lock.h"
 #include "python_recording.h"
 
 namespace insonify::python {
@@ -114,12 +115,12 @@ void export_all(const py::object& recordings, const py::object& file, const py::
   // In another thread, so that this one can check for Control-C.
   std::future<void> done;
   {
-    const py::gil_scoped_release released;
+    const Released released;
     done =
         std::async(std::launch::async, [&] { export_recordings(std::span<const RecordingPart>(parts), to, options); });
     constexpr std::chrono::milliseconds kLook(50);
     while (done.wait_for(kLook) != std::future_status::ready) {
-      const py::gil_scoped_acquire held;
+      const Locked locked;
       if (PyErr_CheckSignals() != 0) {
         PyErr_Clear();  // Interrupted becomes KeyboardInterrupt.
         stop = true;

@@ -53,7 +53,7 @@ std::unique_ptr<PythonSimulator> make_simulator(const py::object& given, const p
     assign_materials(made, scenario.materials, warnings_log());
   }
   const std::vector<MovableObject> objects = movable_from(movable);
-  const py::gil_scoped_release released;
+  const Released released;
   return std::make_unique<PythonSimulator>(std::move(scenario), std::move(made), threads, objects);
 }
 

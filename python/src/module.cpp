@@ -5,6 +5,7 @@
 #include "insonify/files.h"
 #include "insonify/interrupted.h"
 #include "insonify/version.h"
+#include "interpreter_lock.h"
 
 namespace insonify::python {
 namespace {
@@ -68,7 +69,7 @@ void bind_error(py::module_& module) {
 
 Log warnings_log() {
   return [](Severity severity, const std::string& message) {
-    const py::gil_scoped_acquire held;
+    const Locked locked;
     if (severity == Severity::kWarning && PyErr_WarnEx(warning_class.ptr(), message.c_str(), 1) != 0) {
       throw py::error_already_set();  // If warnings are errors.
     }
@@ -93,6 +94,7 @@ PYBIND11_MODULE(_insonify, module) {
   bind_acoustics(module);
   bind_similarity(module);
   bind_export(module);
+  bind_end();
   guard_classes(module);
   guard_classes(module.attr("acoustics"));
   guard_classes(module.attr("similarity"));

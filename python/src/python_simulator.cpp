@@ -51,6 +51,7 @@ PythonSimulator::PythonSimulator(Scenario scenario, Scene scene, int threads, co
     : simulator_(std::move(scenario), std::move(scene), threads, movable),
       known_(look()),
       next_(known_->facts.size(), 0) {
+  simulator_.stop_when(&stop_at_end());
   make_pools();
 }
 
@@ -174,7 +175,7 @@ void PythonSimulator::ping(int sonar, const std::vector<PingRequest>& requests, 
     for (std::size_t first = 0; first < all.size(); first += kAtOnce) {
       const std::size_t count = std::min(kAtOnce, all.size() - first);
       simulator_.ping(sonar, all.subspan(first, count), std::span(pings).first(count));
-      const py::gil_scoped_acquire held;
+      const Locked locked;
       take(std::span(pings).first(count), first);
       if (PyErr_CheckSignals() != 0) {  // Control-C.
         throw py::error_already_set();

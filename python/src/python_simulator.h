@@ -15,6 +15,7 @@
 #include "insonify/files.h"
 #include "insonify/scenario_requests.h"
 #include "insonify/simulator.h"
+#include "interpreter_lock.h"
 
 namespace insonify::python {
 
@@ -105,7 +106,7 @@ class PythonSimulator {
   // Calls action() without the interpreter's lock, while no other thread uses the simulator. It must not touch Python.
   template <typename Action>
   auto locked(const Action& action) {
-    const py::gil_scoped_release released;
+    const Released released;
     const std::lock_guard<std::mutex> lock(mutex_);
     return action();
   }

@@ -1,12 +1,15 @@
 #!/usr/bin/python3
 """Programs and libraries that we link open no doors: see cmake/Hardening.cmake, and CMakeLists.txt on search paths.
 
-    linkage_test.py [--hardened] FILE...    # exit status 1 where one does; --hardened: release builds
+    linkage_test.py [--hardened] FILE|FOLDER...    # exit status 1 where one does; --hardened: release builds
+
+Of a folder, each program and library in it.
 
 A search path with an empty element, or one that is not absolute, makes the loader run a library that lies in the current
 folder, such as that of a downloaded scene.
 """
 
+import pathlib
 import re
 import subprocess
 import sys
@@ -46,13 +49,23 @@ def faults(file, hardened):
         yield from hardening_faults(dynamic, file)
 
 
+def is_linked(path):
+    """Whether it is a program or a shared library."""
+    with open(path, "rb") as file:
+        head = file.read(18)
+    return head[:4] == b"\x7fELF" and head[16] in (2, 3)
+
+
 def main():
     arguments = sys.argv[1:]
     hardened = "--hardened" in arguments
-    found = [f"{file}: {fault}" for file in arguments if file != "--hardened" for fault in faults(file, hardened)]
+    files = [file for name in arguments if name != "--hardened"
+             for file in (sorted(path for path in pathlib.Path(name).rglob("*") if path.is_file() and not path.is_symlink()
+                                 and is_linked(path)) if pathlib.Path(name).is_dir() else [name])]
+    found = [f"{file}: {fault}" for file in files for fault in faults(file, hardened)]
     # The test of the test: the loader's own view of a path that ends in nothing.
     assert list(search_path_faults(" 0x1d (RUNPATH) Library runpath: [/usr/lib:]")), "an empty element is not seen"
-    print("\n".join(found) if found else f"Nothing to complain about: {len(arguments) - hardened} files")
+    print("\n".join(found) if found else f"Nothing to complain about: {len(files)} files")
     return 1 if found else 0
 
 
