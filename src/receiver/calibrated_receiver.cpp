@@ -48,7 +48,7 @@ BinRange CalibratedReceiver::received_bins(const EchoGrid& grid, int cell) const
 
 // Sums a cell's echo energies over path orders into `energy`, [bin], and adds volume reverberation. A bin's water is
 // insonified only in the part of the cell's solid angle in which no surface was hit nearer: grid.weight() is the solid
-// angle whose first hit lies in each bin.
+// angle whose first hit lies in each bin, grid.met_before() that whose first hit is nearer than bin 0.
 void CalibratedReceiver::sum_energy(const EchoGrid& grid, int cell, std::span<float> energy) const {
   const BinRange bins = grid.filled(cell);
   clear_outside(bins, energy);
@@ -62,7 +62,7 @@ void CalibratedReceiver::sum_energy(const EchoGrid& grid, int cell, std::span<fl
   if (!volume_.empty()) {
     const BinRange hits = bins.empty() ? BinRange{} : bins;  // Nothing is hit outside.
     const std::span<const float> hit = grid.weight(1, cell);
-    float unblocked = cell_angle_[cell];
+    float unblocked = std::max(0.0F, cell_angle_[cell] - grid.met_before(cell));
     add_volume(hits.first, volume_.data(), unblocked, energy.data());
     for (int i = hits.first; i < hits.last; ++i) {
       energy[i] += volume_[i] * std::max(0.0F, unblocked - 0.5F * hit[i]);  // Hits are half-way through, on average.

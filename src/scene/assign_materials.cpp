@@ -122,7 +122,7 @@ void assign_materials(Scene& scene, const MaterialRules& rules, const Log& log) 
   if (scene.instances.size() > kMostLabels) {
     throw Error(fmt::format("the scene has {} objects, must be at most {}", scene.instances.size(), kMostLabels));
   }
-  const DefinedMaterials defined = define_materials(rules);
+  const DefinedMaterials defined = define_materials(rules, log);
   if (!rules.for_more) {
     check_keys(scene, rules);
   }

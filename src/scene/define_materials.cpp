@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/log_line.h"
 #include "base/names.h"
 #include "insonify/printable.h"
 #include "scene/material_library.h"
@@ -26,17 +27,27 @@ const Material* named_base(const std::string& key, const MaterialOverride& chang
   throw unknown_material("materials." + key, "like", "", change.like, {});
 }
 
-// A surface cannot send back more than falls on it: pi mu + |R|^2 is at most 1. A hundredth more may be rounding.
-void check_energy(const std::string& key, const Material& material) {
+// A surface cannot send back more than falls on it: pi mu + |R|^2 is at most 1. Measured values may exceed it by a
+// tenth, and are limited.
+void limit_reflection(const std::string& key, Material& material, const Log& log) {
+  constexpr double kMeasured = 1.1, kRounding = 1e-9;
   const double returned =
       std::numbers::pi * std::pow(10.0, material.lambert_db / 10) + std::pow(material.reflection.value_or(0), 2);
-  if (material.reflection && returned > 1.01) {
-    throw Error(key, "reflection",
-                fmt::format(" = {:.6g} must be at most {:.3f}: with lambert_db = {:.6g} dB the surface would send back "
-                            "{:.2f} times the sound that falls on it",
-                            *material.reflection, std::sqrt(reflectance_left(material.lambert_db)), material.lambert_db,
-                            returned));
+  if (!material.reflection || returned <= 1 + kRounding) {
+    return;
   }
+  const double most = std::sqrt(reflectance_left(material.lambert_db));
+  const auto text = [&](std::string_view what) {
+    return fmt::format(
+        " = {:.6g} {} {:.3f}: with lambert_db = {:.6g} dB the surface would send back {:.3f} times the "
+        "sound that falls on it",
+        *material.reflection, what, most, material.lambert_db, returned);
+  };
+  if (returned > kMeasured) {
+    throw Error(key, "reflection", text("must be at most"));
+  }
+  log_line(log, Severity::kWarning, key + ".reflection" + text("is limited to"));
+  material.reflection = most;
 }
 
 // What passes through is neither scattered nor reflected. Without a reflection that is given, the one of a solid is
@@ -69,7 +80,7 @@ void check_shear(const std::string& key, const Material& material) {
   }
 }
 
-Material changed(Material base, const std::string& key, const MaterialOverride& change) {
+Material changed(Material base, const std::string& key, const MaterialOverride& change, const Log& log) {
   base.name = key;
   base.source = "scenario";
   // Not inherited: they follow from density, sound speed and thickness, which may be new.
@@ -90,7 +101,7 @@ Material changed(Material base, const std::string& key, const MaterialOverride& 
   base.relief = change.relief;
   check_fields("materials." + key, base);
   check_shear("materials." + key, base);
-  check_energy("materials." + key, base);
+  limit_reflection("materials." + key, base, log);
   check_transmission("materials." + key, base);
   return base;
 }
@@ -141,17 +152,17 @@ const Material* find_by_name(std::string_view name, const DefinedMaterials& defi
 
 // Defines first the overrides that start from a library material, because the default may be one of them; then those
 // that start from the default.
-DefinedMaterials define_materials(const MaterialRules& rules) {
+DefinedMaterials define_materials(const MaterialRules& rules, const Log& log) {
   DefinedMaterials defined;
   for (const auto& [key, change] : rules.overrides) {
     if (const Material* base = named_base(key, change)) {
-      define(defined, changed(*base, key, change));
+      define(defined, changed(*base, key, change, log));
     }
   }
   const Material base = default_base(rules, defined);
   for (const auto& [key, change] : rules.overrides) {
     if (!named_base(key, change)) {
-      define(defined, changed(base, key, change));
+      define(defined, changed(base, key, change, log));
     }
   }
   return defined;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "insonify/error.h"
+#include "insonify/log.h"
 #include "insonify/scene.h"
 
 namespace insonify {
@@ -29,8 +30,11 @@ using DefinedMaterials = std::map<std::string, Material>;
 [[nodiscard]] std::string meaning_of(std::string_view name);
 
 /// Makes the materials of the scenario's overrides.
-/// @throws Error for a material that is unknown, means the same as another, or returns more energy than it receives.
-[[nodiscard]] DefinedMaterials define_materials(const MaterialRules& rules);
+/// @param log  Receives a warning for each whose reflection is limited, as it returns a little more energy than falls
+/// on
+///             it.
+/// @throws Error for a material that is unknown, means the same as another, or returns over a tenth more.
+[[nodiscard]] DefinedMaterials define_materials(const MaterialRules& rules, const Log& log);
 
 /// A defined material, else the library's; null if neither has it.
 [[nodiscard]] const Material* find_by_name(std::string_view name, const DefinedMaterials& defined);

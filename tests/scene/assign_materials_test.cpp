@@ -230,10 +230,20 @@ TEST(AssignMaterialsMessagesTest, RefusesASurfaceThatGivesMoreThanItGets) {
   EXPECT_EQ(
       fault(scene, {.overrides = {{"hull", {.lambert_db = -10, .reflection = 0.9}}}}),
       "materials.hull.reflection = 0.9 must be at most 0.828: with lambert_db = -10 dB the surface would send back "
-      "1.12 times the sound that falls on it");
+      "1.124 times the sound that falls on it");
+  // 0.31416 + 0.88^2 = 1.08856: a tenth more is limited; 0.89^2 makes it 1.10626.
+  EXPECT_THAT(fault(scene, {.overrides = {{"hull", {.lambert_db = -10, .reflection = 0.89}}}}),
+              testing::HasSubstr("1.106 times"));
   Scene allowed = scene;
-  assign_materials(allowed, {.overrides = {{"hull", {.lambert_db = -10, .reflection = 0.83}}}});
-  EXPECT_EQ(allowed.materials[0].reflection, 0.83);
+  std::vector<std::string> lines;
+  const Log log = [&](Severity, const std::string& line) { lines.push_back(line); };
+  assign_materials(allowed, {.overrides = {{"hull", {.lambert_db = -10, .reflection = 0.88}}}}, log);
+  EXPECT_NEAR(allowed.materials[0].reflection.value(), 0.82816, 1e-5);
+  EXPECT_THAT(lines, testing::ElementsAre("materials.hull.reflection = 0.88 is limited to 0.828: with lambert_db = -10 "
+                                          "dB the surface would send back 1.089 times the sound that falls on it"));
+  assign_materials(allowed, {.overrides = {{"hull", {.lambert_db = -10, .reflection = 0.828}}}}, log);
+  EXPECT_EQ(allowed.materials[0].reflection, 0.828);
+  EXPECT_EQ(lines.size(), 1U);
   assign_materials(allowed, {.overrides = {{"hull", {.like = "steel", .lambert_db = -5}}}});
   EXPECT_LT(allowed.materials[0].reflection_at(720e3), 0.1);
 }

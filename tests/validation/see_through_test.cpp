@@ -113,6 +113,29 @@ TEST_P(SeeThroughTest, WaterBehindANetIsHiddenInPart) {
   }
 }
 
+// The same of surfaces nearer than the first bin, whatever is stored and whatever receives: nothing comes back through
+// a wall.
+TEST_P(SeeThroughTest, WaterBehindSurfacesBeforeTheFirstBinIsHidden) {
+  for (const GroundTruth truth : {GroundTruth::kNone, GroundTruth::kLabels, GroundTruth::kFull}) {
+    for (const BeamPattern pattern : {BeamPattern::kTopHat, BeamPattern::kTaylor}) {
+      Scenario scenario = scenario_of(narrow_sonar(), GetParam());
+      scenario.water.volume_backscatter_db = -55;
+      scenario.ground_truth = truth;
+      scenario.receiver.azimuth_pattern = pattern;
+      scenario.sonars[0].min_range = 7.3;
+      const Ping open = ping_of(scenario, {});
+      const Ping net_before = ping_of(scenario, plate_at(2.9, 30, net(0.8)));
+      const Ping wall_before = ping_of(scenario, plate_at(2.9, 30, *find_material("steel")));
+      for (const int bin : {0, 40, open.bin_count - 1}) {
+        const std::size_t at = open.index(bin, 3);
+        ASSERT_GT(open.intensity[at], 0);
+        EXPECT_NEAR(net_before.intensity[at] / open.intensity[at], 0.64, 1e-3) << bin;
+        EXPECT_NEAR(wall_before.intensity[at] / open.intensity[at], 0, 1e-5) << bin;
+      }
+    }
+  }
+}
+
 // A surface that is open altogether is not there: not in the picture, nor in the ground truth, whatever its relief.
 // Where it ends within the fan or meets the bed, samples of the bed on both sides are not joined: the level within half
 // a sample there is that of either, one of some hundred rows.

@@ -18,6 +18,7 @@ EchoGrid::EchoGrid(int beam_count, int bin_count, int order_count, GroundTruth g
       labelled_(labelled || ground_truth != GroundTruth::kNone),
       energy_(static_cast<std::size_t>(order_count) * beam_count * bin_count),
       weight_(energy_.size()),
+      met_before_(beam_count),
       filled_(beam_count) {
   const std::size_t cells = static_cast<std::size_t>(beam_count) * bin_count;
   if (labelled_) {
@@ -32,7 +33,6 @@ EchoGrid::EchoGrid(int beam_count, int bin_count, int order_count, GroundTruth g
   }
   if (ground_truth == GroundTruth::kFull) {
     elevation_square_ = Layer<float>(cells);
-    met_before_.resize(beam_count);
   }
 }
 
@@ -149,9 +149,7 @@ void EchoGrid::take_cells(const EchoGrid& other, int beam, std::span<const std::
       take_cell(other, static_cast<std::size_t>(sources[bin]), beam, bin);
     }
   }
-  if (ground_truth_ == GroundTruth::kFull) {
-    met_before_[beam] = other.met_before_[beam];
-  }
+  met_before_[beam] = other.met_before_[beam];
 }
 
 void EchoGrid::clear(int first_beam, int last_beam) {
@@ -162,12 +160,10 @@ void EchoGrid::clear(int first_beam, int last_beam) {
       std::fill_n(&weight_[start(order, beam) + bins.first], bins.last - bins.first, 0.0F);
     }
     filled_[beam] = {};
+    met_before_[beam] = 0;
     if (labelled_) {
       further_surfaces_[beam].clear();
     }
-  }
-  if (ground_truth_ == GroundTruth::kFull) {
-    std::fill(met_before_.begin() + first_beam, met_before_.begin() + last_beam, 0.0F);
   }
 }
 

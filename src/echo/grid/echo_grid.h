@@ -159,7 +159,7 @@ class EchoGrid {
   [[nodiscard]] std::vector<DiscreteEcho>& discrete_echoes() { return discrete_echoes_; }
   [[nodiscard]] const std::vector<DiscreteEcho>& discrete_echoes() const { return discrete_echoes_; }
 
-  /// Solid angle of one beam that is blocked by surfaces nearer than bin 0 [sr]; with GroundTruth::kFull only.
+  /// Solid angle of one beam that is blocked by surfaces nearer than bin 0 [sr].
   [[nodiscard]] float& met_before(int beam) { return met_before_[beam]; }
   [[nodiscard]] float met_before(int beam) const { return met_before_[beam]; }
 

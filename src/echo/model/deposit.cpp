@@ -248,12 +248,12 @@ void deposit_column(const FlatPlan& plan, int column, const HitColumn& hits, con
                     SurfaceSums& sums, EchoGrid& grid) {
   if (grid.ground_truth() == GroundTruth::kFull) {
     deposit_tallied(plan, column, hits, segments, sums, grid);
-    grid.met_before(column / plan.lattice.columns_per_beam) += met_before(plan, column, hits, segments);
   } else if (grid.labelled()) {
     deposit_labelled(plan, column, hits, segments, sums, grid);
   } else {
     deposit_unlabelled(plan, column, hits, segments, sums, grid);
   }
+  grid.met_before(column / plan.lattice.columns_per_beam) += met_before(plan, column, hits, segments);
 }
 
 }  // namespace insonify

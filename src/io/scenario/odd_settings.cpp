@@ -68,7 +68,7 @@ constexpr std::array<Condition, 16> kOfReceiver = {
 bool steers_by_delays(const Received& with) {
   return !with.sonar.scans() && with.sonar.azimuth_aperture <= std::numbers::pi;
 }
-constexpr std::array<Condition, 17> kOfSonar = {
+constexpr std::array<Condition, 18> kOfSonar = {
     {{"bits", [](const Received& r) { return r.receiver.counts; }, "receiver.counts is true"},
      {"mapping", [](const Received& r) { return r.receiver.counts; }, "receiver.counts is true"},
      {"mapping_range_db",
@@ -80,6 +80,8 @@ constexpr std::array<Condition, 17> kOfSonar = {
      {"elevation_pattern", [](const Received& r) { return r.receiver.elevation_pattern == BeamPattern::kInstrument; },
       "receiver.elevation_pattern is instrument"},
      {"two_way_array", has_array, "receiver.azimuth_pattern is that of an array"},
+     {"azimuth_resolution_deg", [](const Received& r) { return r.receiver.azimuth_pattern != BeamPattern::kTopHat; },
+      "receiver.azimuth_pattern is that of an array"},
      {"element_width_deg", [](const Received& r) { return r.receiver.azimuth_pattern != BeamPattern::kTopHat; },
       "receiver.azimuth_pattern is that of an array"},
      {"focus_range", [](const Received& r) { return r.receiver.azimuth_pattern != BeamPattern::kTopHat; },

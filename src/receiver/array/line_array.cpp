@@ -86,9 +86,12 @@ ArraySettings receiving_array(const ReceiverConfig& receiver, const SonarConfig&
   return array;
 }
 
+double slice_width(const SonarConfig& sonar) {
+  return (sonar.beam_widths.empty() ? sonar.azimuth_aperture : sonar.bearings().covered()) / sonar.beam_count;
+}
+
 double beam_width(const SonarConfig& sonar) {
-  const double covered = sonar.beam_widths.empty() ? sonar.azimuth_aperture : sonar.bearings().covered();
-  return sonar.azimuth_resolution.value_or(covered / sonar.beam_count);
+  return sonar.azimuth_resolution.value_or(slice_width(sonar));
 }
 
 AcrossElevations::AcrossElevations(const SonarConfig& sonar, const ReceiverConfig& receiver)

@@ -27,8 +27,11 @@ namespace insonify {
 /// The array of azimuth_array() for the reception of noise: one way, without element faults.
 [[nodiscard]] ArraySettings receiving_array(const ReceiverConfig& receiver, const SonarConfig& sonar);
 
+/// Mean width of the slices of azimuth of a sonar's beams [rad].
+[[nodiscard]] double slice_width(const SonarConfig& sonar);
+
 /// Width of the beams of an azimuth pattern at half power [rad]: the sonar's azimuth_resolution, or where it has none
-/// the mean width of the slices of azimuth of its beams.
+/// slice_width().
 [[nodiscard]] double beam_width(const SonarConfig& sonar);
 
 /// |p|^2 of a sonar across elevations, one way: an array that is baffled to the back, or a top hat. ElevationPattern is

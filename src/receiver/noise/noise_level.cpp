@@ -21,7 +21,7 @@ double linear(double level_db) {
 // N; where more than one period lies in front of the array, |u| < 1, grating lobes receive noise as well.
 double bearing_width(const SonarConfig& sonar, const ReceiverConfig& receiver) {
   if (receiver.azimuth_pattern == BeamPattern::kTopHat) {
-    return beam_width(sonar);
+    return slice_width(sonar);
   }
   const ArraySettings settings = receiving_array(receiver, sonar);
   const ArrayPattern array(settings);

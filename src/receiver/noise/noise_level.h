@@ -10,8 +10,8 @@ namespace insonify {
 /// Solid angle of the receive pattern of an unsteered beam, the integral of |g p|^2 over all directions [sr]: with it
 /// the directivity index is 10 log10(4 pi / solid angle) (Urick, Principles of Underwater Sound (1983), ch. 3).
 ///
-/// In bearing it is that of the array without faults, beam_width() wide at half power, by Parseval's theorem; a top hat
-/// is as wide as the beam, however far apart beams are. In elevation it is that of the aperture or of the elevation
+/// In bearing it is that of the array without faults, beam_width() wide at half power, by Parseval's theorem; that of a
+/// top hat is slice_width(), from which its echoes come. In elevation it is that of the aperture or of the elevation
 /// pattern. It is the same for all beams: the directivity of a line array does not depend on steering (Van Trees,
 /// Optimum Array Processing (2002), section 2.6).
 [[nodiscard]] double receive_solid_angle(const SonarConfig& sonar, const ReceiverConfig& receiver);

@@ -33,8 +33,8 @@ double directivity_db(const SonarConfig& sonar, const ReceiverConfig& receiver) 
   return 10 * std::log10(4 * kPi / receive_solid_angle(sonar, receiver));
 }
 
-// 10 log10(4 pi / (width 2 sin(height / 2))), whatever the spacing of the beams.
-TEST(NoiseLevelTest, TopHatHasTheDirectivityOfItsOwnWidth) {
+// 10 log10(4 pi / (width 2 sin(height / 2))) of the slice that its echoes come from, whatever its resolution.
+TEST(NoiseLevelTest, TopHatHasTheDirectivityOfItsSlice) {
   for (const int beams : {60, 256, 480}) {
     for (const auto& [width, height, expected] : {std::tuple{1.0, 20.0, 33.166322707556866},
                                                   {0.5, 20.0, 36.176622664196675},
@@ -42,11 +42,12 @@ TEST(NoiseLevelTest, TopHatHasTheDirectivityOfItsOwnWidth) {
                                                   {0.25, 12.0, 41.39127926462472},
                                                   {1.0, 90.0, 27.06817498599278}}) {
       SonarConfig sonar = fan(width, height);
+      sonar.azimuth_resolution = 0.02;
+      sonar.azimuth_aperture = beams * radians_from_degrees(width);
       sonar.beam_count = beams;
       EXPECT_NEAR(directivity_db(sonar, with(BeamPattern::kTopHat)), expected, 1e-6) << beams << ", " << width;
     }
   }
-  // Without a width of its own, a beam is as wide as its slice of the fan.
   SonarConfig plain;
   plain.beam_count = 120;
   EXPECT_NEAR(directivity_db(plain, with(BeamPattern::kTopHat)), 33.166322707556866, 1e-9);
@@ -101,15 +102,17 @@ TEST(NoiseLevelTest, AgreesWithTheSumOverAllDirections) {
 }
 
 // 720 kHz, 25 kHz, 200 dB: -15 + 20 log10(720) + 43.97940 - 33.16632 - 200 = -147.04027 dB. Half as wide a beam hears
-// half of that; the spacing of the beams does not matter.
+// half of that; its resolution does not matter.
 TEST(NoiseLevelTest, IsThatOfTheSonarEquation) {
   SonarConfig sonar = fan(1, 20);
   for (const int beams : {60, 480}) {
+    sonar.azimuth_resolution = 0.02;
+    sonar.azimuth_aperture = beams * radians_from_degrees(1);
     sonar.beam_count = beams;
     EXPECT_NEAR(10 * std::log10(noise_intensity(sonar, with(BeamPattern::kTopHat), Pulse({}, 1500, 0.05))), -147.04027,
                 1e-5);
   }
-  sonar.azimuth_resolution = radians_from_degrees(0.5);
+  sonar.azimuth_aperture *= 0.5;
   EXPECT_NEAR(10 * std::log10(noise_intensity(sonar, with(BeamPattern::kTopHat), Pulse({}, 1500, 0.05))),
               -147.04027 - 3.0103, 1e-5);
 }
