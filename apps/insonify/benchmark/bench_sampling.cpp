@@ -118,6 +118,7 @@ std::vector<PingRequest> requests_of(const Scenario& scenario, int count) {
   const ScenarioRequests requests(scenario);
   const std::uint64_t pings = std::max<std::uint64_t>(requests.ping_count(0), 1);
   std::vector<PingRequest> chosen;
+  chosen.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     chosen.push_back(requests.at(0, pings * static_cast<std::uint64_t>(i) / static_cast<std::uint64_t>(count)));
   }

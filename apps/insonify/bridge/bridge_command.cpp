@@ -28,6 +28,7 @@ std::filesystem::path folder_of_this_program() {
   const std::string beside = folder_of_this_program() / name;
   words.insert(words.begin(), name);
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (std::string& word : words) {
     arguments.push_back(word.data());
   }

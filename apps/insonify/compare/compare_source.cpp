@@ -25,6 +25,7 @@ std::filesystem::path find_recording(const std::filesystem::path& folder, const 
   }
   std::erase_if(found, [](const auto& file) { return file.second.empty(); });
   std::vector<std::string> names;
+  names.reserve(found.size());
   for (const auto& [name, path] : found) {
     names.push_back(name);
   }

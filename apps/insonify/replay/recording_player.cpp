@@ -106,7 +106,7 @@ std::optional<double> RecordingPlayer::time_after(double time, int sonar) const 
 // Time of the previous ping, in the same way [s]; absent at the first.
 std::optional<double> RecordingPlayer::time_before(double time, int sonar) const {
   const auto end = std::ranges::lower_bound(moments_, time, {}, &RecordedMoment::time);
-  const auto before = std::ranges::reverse_view(std::ranges::subrange(moments_.begin(), end));
+  const auto before = std::ranges::reverse_view(moments_.first(static_cast<std::size_t>(end - moments_.begin())));
   const auto of_sonar = std::ranges::find(before, sonar, &RecordedMoment::sonar);
   const auto found = of_sonar == before.end() ? before.begin() : of_sonar;
   return found == before.end() ? std::nullopt : std::optional(found->time);
