@@ -183,7 +183,7 @@ namespace detail {
 
 template <typename Enum>
 const WordList* word_list() {
-  static const WordList list = [] {
+  static const WordList kList = [] {
     WordList made{
         {},
         [](const void* member) {
@@ -200,7 +200,7 @@ const WordList* word_list() {
     }
     return made;
   }();
-  return &list;
+  return &kList;
 }
 
 template <typename Member>
@@ -274,24 +274,24 @@ PartEntry part_entry(const Part& part, const Member& /*member*/, std::size_t off
 
 template <typename Config>
 const SettingsTable& table_of() {
-  static const Config defaults{};
-  static const SettingsTable table = [] {
-    SettingsTable made{.fields = {}, .parts = {}, .defaults = &defaults};
+  static const Config kDefaults{};
+  static const SettingsTable kTable = [] {
+    SettingsTable made{.fields = {}, .parts = {}, .defaults = &kDefaults};
     const auto offset_of = [](const auto& member) {
       return static_cast<std::size_t>(reinterpret_cast<const std::byte*>(&member) -
-                                      reinterpret_cast<const std::byte*>(&defaults));
+                                      reinterpret_cast<const std::byte*>(&kDefaults));
     };
-    Config::visit_fields(defaults, [&](const Field& field, const auto& member) {
+    Config::visit_fields(kDefaults, [&](const Field& field, const auto& member) {
       made.fields.push_back(detail::field_entry(field, member, offset_of(member)));
     });
     if constexpr (HasParts<Config>) {
-      Config::visit_parts(defaults, [&](const Part& part, const auto& member) {
+      Config::visit_parts(kDefaults, [&](const Part& part, const auto& member) {
         made.parts.push_back(detail::part_entry(part, member, offset_of(member)));
       });
     }
     return made;
   }();
-  return table;
+  return kTable;
 }
 
 }  // namespace insonify

@@ -41,7 +41,7 @@ struct WorldPart {
   Shape shape;
   Pose world_from_part;
   bool moving = false;         ///< Becomes Instance::moving.
-  bool for_eyes_only = false;  ///< Whether it is water, or invisible to cameras: reported to the log.
+  bool for_eyes_only = false;  ///< Whether it is water, or invisible to cameras.
   std::string material = {};   ///< Becomes Instance::user_material.
 };
 
