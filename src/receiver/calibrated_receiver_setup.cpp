@@ -144,7 +144,8 @@ void CalibratedReceiver::set_up_array(SetUp& parts) {
       array, parts.length, cells.grid.sines(), parts.beam_sines, BearingResponse::kFloorDb,
       BearingResponse::Extras{.cell_edges = cells.edge_sines,
                               .element = FanPattern(sonar.element_width),
-                              .zones = focus_zones(sonar, parts.length, parts.wavelength, parts.range_scale)});
+                              .zones = focus_zones(sonar, parts.length, parts.wavelength, parts.range_scale),
+                              .elements = one_way.elements});
 }
 
 void CalibratedReceiver::set_up_noise(const SetUp& parts) {

@@ -74,6 +74,43 @@ int window_length(ArrayWindow window, int elements) {
   }
 }
 
+// Integral of e^(i pi (t^2 - v^2) / 2) over t from v >= 0 to infinity, to 1e-8: the Fresnel integrals' power series
+// near 0, beyond their continued fraction (Press et al., Numerical Recipes, 3rd ed. (2007), section 6.8.1).
+std::complex<double> fresnel_tail(double v) {
+  constexpr double kSeriesEnd = 1.5, kLeastTerm = 1e-10;
+  const double turn = 0.5 * pi * v * v;
+  if (v < kSeriesEnd) {
+    std::complex<double> sum = 0, term = v;
+    for (int n = 0; std::norm(term) > kLeastTerm * kLeastTerm; ++n) {
+      sum += term / (2.0 * n + 1);
+      term *= std::complex<double>(0, turn / (n + 1));
+    }
+    return std::polar(1.0, -turn) * (std::complex<double>(0.5, 0.5) - sum);
+  }
+  const int depth = static_cast<int>(3 + 30 / (v * v));
+  std::complex<double> rest(1 + 4 * depth, -2 * turn);
+  for (int k = depth; k > 0; --k) {
+    const std::complex<double> part = (2 * k - 1) * (2 * k) / std::norm(rest) * std::conj(rest);
+    rest = std::complex<double>(4 * k - 3, -2 * turn) - part;
+  }
+  return v / std::norm(rest) * std::conj(rest);
+}
+
+// Integral of e^(i (2 pi x s + 4 phase s^2)) over s from -1/2 to 1/2; phase > 0. With t = c s + 2 x / c, c^2 = 8 phase
+// / pi, the exponent is i pi / 2 (t^2 - (2 x / c)^2), so it is a difference of two Fresnel integrals.
+std::complex<double> defocused_line(double x, double phase) {
+  const double scale = std::sqrt(8 * phase / pi), place = 2 * x / scale;
+  const auto tail = [&](double end, double turn) {  // Of the end of the line at t = end.
+    return (end < 0 ? -1.0 : 1.0) * std::polar(1.0, turn) * fresnel_tail(std::abs(end));
+  };
+  const double low = place - 0.5 * scale, high = place + 0.5 * scale;
+  std::complex<double> sum = tail(low, phase - pi * x) - tail(high, phase + pi * x);
+  if (low < 0 && high >= 0) {
+    sum += std::polar(std::numbers::sqrt2, 0.25 * pi - 0.5 * pi * place * place);
+  }
+  return sum / scale;
+}
+
 }  // namespace
 
 std::vector<WindowCosine> line_weight(const ArraySettings& settings) {
@@ -120,6 +157,16 @@ double line_pattern(const std::vector<WindowCosine>& weight, double x) {
     sum += part.share * 0.5 * (sinc(x - part.turns) + sinc(x + part.turns));
   }
   return sum;
+}
+
+std::complex<double> defocused_line_pattern(const std::vector<WindowCosine>& weight, double x, double edge_phase) {
+  const double phase = std::abs(edge_phase);
+  std::complex<double> sum = 0;
+  for (const WindowCosine& part : weight) {
+    const std::complex<double> shifted = defocused_line(x - part.turns, phase);
+    sum += part.share * (part.turns == 0 ? shifted : 0.5 * (shifted + defocused_line(x + part.turns, phase)));
+  }
+  return edge_phase < 0 ? std::conj(sum) : sum;
 }
 
 double line_power(const std::vector<WindowCosine>& weight) {

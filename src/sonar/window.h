@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <complex>
 #include <vector>
 
 #include "insonify/array_pattern.h"
@@ -21,6 +22,11 @@ namespace insonify {
 /// Integral of weight(s) cos(2 pi x s) over s from -1/2 to 1/2: the beam pattern of a line, or with x = bandwidth x
 /// delay the envelope of a compressed chirp.
 [[nodiscard]] double line_pattern(const std::vector<WindowCosine>& weight, double x);
+
+/// Integral of weight(s) e^(i (2 pi x s + 4 edge_phase s^2)) over s: line_pattern() out of focus, by Fresnel integrals.
+/// @param edge_phase  [rad], not 0.
+[[nodiscard]] std::complex<double> defocused_line_pattern(const std::vector<WindowCosine>& weight, double x,
+                                                          double edge_phase);
 
 /// Integral of weight(s)^2 over s, which by Parseval's theorem is that of line_pattern(x)^2 over x.
 [[nodiscard]] double line_power(const std::vector<WindowCosine>& weight);

@@ -11,6 +11,7 @@
 
 #include "insonify/error.h"
 #include "insonify/geometry.h"
+#include "sonar/window.h"
 #include "support/relative.h"
 
 namespace insonify::array_pattern_test {
@@ -326,6 +327,32 @@ TEST(ArraySettingsTest, InvalidSettingsAreRefused) {
   EXPECT_THAT((ArraySettings{.elements = 2, .dead_elements = {0}, .dead_share = 0.5}),
               is_refused("fls.array.dead_elements and fls.array.dead_share leave none of 2 elements"));
   EXPECT_THAT([] { ArrayPattern pattern({.elements = 1}); }, ThrowsMessage<Error>(HasSubstr("array.elements = 1")));
+}
+
+// Sum of the window's waves at 200 000 places along a line, whose phases at the ends differ by at most 4 x 300 / 100
+// 000 rad from one to the next: an error of 1e-5 of those next to it.
+TEST(ArrayPatternTest, DefocusedLineIsTheIntegralOverItsLength) {
+  constexpr int kPlaces = 200000;
+  for (const ArrayWindow window : {ArrayWindow::kRectangular, ArrayWindow::kCosine, ArrayWindow::kTaylor}) {
+    const ArrayPattern line({.window = window});
+    const std::vector<WindowCosine> weight = line_weight({.window = window});
+    for (const double phase : {1e-3, -0.5, 3.0, -40.0, 300.0}) {
+      const ArrayPattern defocused = line.defocused(phase);
+      for (const double x : {0.0, 0.31, -1.5, 5.75, -7.9}) {
+        std::complex<double> sum = 0;
+        for (int i = 0; i < kPlaces; ++i) {
+          const double s = (i + 0.5) / kPlaces - 0.5;
+          double share = 0;
+          for (const WindowCosine& part : weight) {
+            share += part.share * std::cos(2 * pi * part.turns * s);
+          }
+          sum += std::polar(share / kPlaces, 2 * pi * x * s + 4 * phase * s * s);
+        }
+        sum /= line_pattern(weight, 0);
+        EXPECT_NEAR(std::abs(defocused.amplitude(x) - sum), 0, 1e-7) << phase << " " << x;
+      }
+    }
+  }
 }
 
 }  // namespace

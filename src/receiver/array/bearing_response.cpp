@@ -31,62 +31,81 @@ BearingResponse::BearingResponse(const ArrayPattern& pattern, double length, std
       length_(length),
       element_(extras.element),
       beam_sines_(beam_sines.begin(), beam_sines.end()),
-      gains_(std::max<std::size_t>(1, extras.zones.size())) {
-  assert(extras.cell_edges.empty() || extras.cell_edges.size() == cell_sines.size() + 1);
-  for (std::size_t i = 0; i < extras.zones.size(); ++i) {
-    gains_[i].end = extras.zones[i].end;
-    gains_[i].edge_phase = extras.zones[i].edge_phase;
+      cell_sines_(cell_sines.begin(), cell_sines.end()),
+      cell_edges_(extras.cell_edges.begin(), extras.cell_edges.end()) {
+  assert(cell_edges_.empty() || cell_edges_.size() == cell_sines.size() + 1);
+  for (int cell = 0; cell < cell_count(); ++cell) {
+    const double width = cell_edges_.empty() ? 0 : length_ * (cell_edges_[cell] - cell_edges_[cell + 1]);
+    if (width > kWideCell) {
+      wide_.push_back(cell);
+      widest_ = std::max(widest_, 0.5 * width);
+    }
   }
-  for (Gains& zone : gains_) {
-    fill(zone, cell_sines, std::pow(10, floor_db / 10), extras.cell_edges);
+  const double floor = std::pow(10, floor_db / 10);
+  defocus(extras.zones, extras.elements, floor);
+  if (std::ranges::any_of(focuses_, [](const Focus& focus) { return focus.tables.empty(); })) {
+    fill_in_focus(floor);
   }
 }
 
-std::complex<double> BearingResponse::gain_of(const ArrayPattern& pattern, int beam, double u) const {
-  const std::complex<double> array = pattern.amplitude(length_ * (u - beam_sines_[beam]));
+std::complex<double> BearingResponse::focused_gain(int beam, double u) const {
+  const std::complex<double> array = pattern_.amplitude(length_ * (u - beam_sines_[beam]));
   return element_.is_flat() ? array : array * std::sqrt(element_.intensity(u));
 }
 
-std::complex<double> BearingResponse::gain(int beam, double u, int bin) const {
-  const auto zone = std::ranges::find_if(gains_, [&](const Gains& gains) { return bin < gains.end; });
-  return gain_of(pattern_in(zone == gains_.end() ? gains_.back() : *zone, beam), beam, u);
+const BearingResponse::Focus& BearingResponse::focus_at(int bin) const {
+  const auto focus = std::ranges::find_if(focuses_, [&](const Focus& each) { return bin < each.end; });
+  return focus == focuses_.end() ? focuses_.back() : *focus;
 }
 
-void BearingResponse::fill(Gains& zone, std::span<const double> cell_sines, double floor,
-                           std::span<const double> cell_edges) const {
-  const auto cells = static_cast<int>(cell_sines.size());
-  const auto beams = static_cast<int>(beam_sines_.size());
-  const auto is_wide = [&](int cell) {
-    return !cell_edges.empty() && length_ * (cell_edges[cell] - cell_edges[cell + 1]) > kWideCell;
-  };
-  const bool is_real = pattern_.is_real() && zone.edge_phase == 0;
-  zone.energy = zone.in_phase = GainMatrix(beams, cells);
-  if (!is_real) {
-    zone.quadrature = GainMatrix(beams, cells);
+std::complex<double> BearingResponse::gain(int beam, double u, int bin) const {
+  const Focus& focus = focus_at(bin);
+  if (focus.tables.empty()) {
+    return focused_gain(beam, u);
+  }
+  const std::complex<double> array = tables_->amplitude(focus.tables[beam], length_ * (u - beam_sines_[beam]));
+  return element_.is_flat() ? array : array * std::sqrt(element_.intensity(u));
+}
+
+// Mean of |g|^2 over a cell.
+// @param gain  Gain of the sine of a bearing.
+template <typename Gain>
+double BearingResponse::mean_intensity(int cell, const Gain& gain) const {
+  constexpr double kStep = 1.0 / 16;  // [wavelength / D]
+  const double from = cell_edges_[cell + 1], to = cell_edges_[cell];
+  const int steps = static_cast<int>(std::ceil(length_ * (to - from) / kStep));
+  double sum = 0;
+  for (int i = 0; i < steps; ++i) {
+    sum += std::norm(std::complex<double>(gain(from + (i + 0.5) / steps * (to - from))));
+  }
+  return sum / steps;
+}
+
+void BearingResponse::fill_in_focus(double floor) {
+  const int cells = cell_count(), beams = beam_count();
+  in_focus_.energy = in_focus_.in_phase = GainMatrix(beams, cells);
+  if (!pattern_.is_real()) {
+    in_focus_.quadrature = GainMatrix(beams, cells);
   }
   for (int beam = 0; beam < beams; ++beam) {
     check_interruption();  // Thousands of beams take seconds.
-    if (zone.edge_phase != 0) {
-      const double sine = beam_sines_[beam];  // The projected length of a steered array is shorter.
-      zone.patterns.push_back(pattern_.defocused(zone.edge_phase * (1 - sine * sine)));
-    }
-    const ArrayPattern& pattern = pattern_in(zone, beam);
+    const auto gain_at = [&](double u) { return focused_gain(beam, u); };
     int first = cells, last = 0;
     for (int cell = 0; cell < cells; ++cell) {
-      const std::complex<double> gain =
-          is_wide(cell) ? std::sqrt(mean_intensity(pattern, beam, cell_edges[cell + 1], cell_edges[cell]))
-                        : gain_of(pattern, beam, cell_sines[cell]);
-      zone.energy.set(beam, cell, static_cast<float>(std::norm(gain)));
-      zone.in_phase.set(beam, cell, static_cast<float>(gain.real()));
-      if (!is_real) {
-        zone.quadrature.set(beam, cell, static_cast<float>(gain.imag()));
+      const std::complex<double> gain = std::ranges::binary_search(wide_, cell)
+                                            ? std::sqrt(mean_intensity(cell, gain_at))
+                                            : gain_at(cell_sines_[cell]);
+      in_focus_.energy.set(beam, cell, static_cast<float>(std::norm(gain)));
+      in_focus_.in_phase.set(beam, cell, static_cast<float>(gain.real()));
+      if (in_focus_.quadrature.beam_count() > 0) {
+        in_focus_.quadrature.set(beam, cell, static_cast<float>(gain.imag()));
       }
       if (std::norm(gain) >= floor) {
         first = std::min(first, cell);
         last = cell + 1;
       }
     }
-    for (GainMatrix* matrix : {&zone.energy, &zone.in_phase, &zone.quadrature}) {
+    for (GainMatrix* matrix : {&in_focus_.energy, &in_focus_.in_phase, &in_focus_.quadrature}) {
       if (matrix->beam_count() > 0) {
         matrix->limit(beam, first, last);
       }
@@ -94,26 +113,107 @@ void BearingResponse::fill(Gains& zone, std::span<const double> cell_sines, doub
   }
 }
 
-// Mean of |g|^2 between two sines.
-double BearingResponse::mean_intensity(const ArrayPattern& pattern, int beam, double from, double to) const {
-  constexpr double kStep = 1.0 / 16;  // [wavelength / D]
-  const int steps = static_cast<int>(std::ceil(length_ * (to - from) / kStep));
-  double sum = 0;
-  for (int i = 0; i < steps; ++i) {
-    sum += std::norm(gain_of(pattern, beam, from + (i + 0.5) / steps * (to - from)));
+// Chooses the table of each beam in each zone.
+void BearingResponse::defocus(const std::vector<Zone>& zones, int elements, double floor) {
+  if (zones.empty()) {
+    focuses_.emplace_back();
+    return;
   }
-  return sum / steps;
+  for (const double sine : cell_sines_) {
+    places_.push_back(static_cast<float>(length_ * sine));
+    element_gains_.push_back(static_cast<float>(std::sqrt(element_.is_flat() ? 1 : element_.intensity(sine))));
+  }
+  double steered = 0;
+  for (const double sine : beam_sines_) {
+    steered = std::max(steered, std::abs(sine));
+  }
+  tables_.emplace(pattern_, elements, length_ * (1 + steered), floor);
+  for (const Zone& zone : zones) {
+    Focus& focus = focuses_.emplace_back();
+    focus.end = zone.end;
+    for (std::size_t beam = 0; zone.edge_phase != 0 && beam < beam_sines_.size(); ++beam) {
+      const double sine = beam_sines_[beam];  // The projected length of a steered array is shorter.
+      focus.tables.push_back(tables_->table_for(zone.edge_phase * (1 - sine * sine)));
+    }
+  }
 }
 
-// Calls receive(gains, bins) for each zone with its part of the bins.
+// Sets the gains of a block of beams, out of focus, within the band of its cells.
+// @param first_beam  Of the first block.
+void BearingResponse::set_block(const Focus& focus, int block, int first_beam, bool energy, Scratch& scratch) const {
+  Gains& gains = scratch.gains;
+  const int begin = block * GainMatrix::kBlockBeams;
+  const int end = std::min(begin + GainMatrix::kBlockBeams, gains.energy.beam_count());
+  int first = cell_count(), last = 0;
+  for (int i = begin; i < end; ++i) {
+    const DefocusedTables::Extent extent = tables_->extent_of(focus.tables[first_beam + i]);
+    const double steered = length_ * beam_sines_[first_beam + i];
+    const auto from = std::ranges::partition_point(
+        places_, [&](float place) { return double{place} > steered + extent.high + widest_; });
+    const auto to = std::partition_point(from, places_.end(),
+                                         [&](float place) { return double{place} >= steered + extent.low - widest_; });
+    if (from != to) {
+      first = std::min(first, static_cast<int>(from - places_.begin()));
+      last = std::max(last, static_cast<int>(to - places_.begin()));
+    }
+  }
+  const std::size_t count = std::max(0, last - first);
+  scratch.in_phase.resize(cell_sines_.size());
+  scratch.quadrature.resize(cell_sines_.size());
+  float *const real = scratch.in_phase.data(), *const imaginary = scratch.quadrature.data();
+  for (int i = begin; i < end && count > 0; ++i) {
+    const int beam = first_beam + i, table = focus.tables[beam];
+    tables_->look_up(table, length_ * beam_sines_[beam], std::span(places_).subspan(first, count),
+                     std::span(element_gains_).subspan(first, count), real + first, imaginary + first);
+    for (const int cell : wide_) {
+      const auto gain_at = [&](double u) { return tables_->amplitude(table, length_ * (u - beam_sines_[beam])); };
+      real[cell] = element_gains_[cell] * static_cast<float>(std::sqrt(mean_intensity(cell, gain_at)));
+      imaginary[cell] = 0;
+    }
+    float *const energies = gains.energy.row(i), *const in_phase = gains.in_phase.row(i),
+                 *const quadrature = gains.quadrature.row(i);
+    for (int cell = first; cell < last; ++cell) {
+      if (energy) {
+        energies[cell * GainMatrix::kBlockBeams] = real[cell] * real[cell] + imaginary[cell] * imaginary[cell];
+      } else {
+        in_phase[cell * GainMatrix::kBlockBeams] = real[cell];
+        quadrature[cell * GainMatrix::kBlockBeams] = imaginary[cell];
+      }
+    }
+  }
+  for (GainMatrix* matrix : {&gains.energy, &gains.in_phase, &gains.quadrature}) {
+    matrix->limit(begin, first, last);
+  }
+}
+
+// Calls receive(gains, first beam, bins) with the gains of some beams in some of the bins, until all have been
+// received.
+// @param energy  Whether `energy` of the gains is used, or else the other two.
 template <typename Receive>
-void BearingResponse::for_each_zone(BinRange bins, const Receive& receive) const {
+void BearingResponse::for_each_part(BinRange bins, bool energy, const Receive& receive) const {
+  constexpr int kTogether = 4 * GainMatrix::kBlockBeams;  // Some hundred kilobytes for a thousand cells.
+  thread_local Scratch some;
   int first = bins.first;
-  for (const Gains& zone : gains_) {
-    const int last = &zone == &gains_.back() ? bins.last : std::min(bins.last, zone.end);
-    if (first < last) {
-      receive(zone, BinRange{first, last});
-      first = last;
+  for (const Focus& focus : focuses_) {
+    const int last = &focus == &focuses_.back() ? bins.last : std::min(bins.last, focus.end);
+    if (first >= last) {
+      continue;
+    }
+    const BinRange part{first, last};
+    first = last;
+    if (focus.tables.empty()) {
+      receive(in_focus_, 0, part);
+      continue;
+    }
+    for (int beam = 0; beam < beam_count(); beam += kTogether) {
+      const int count = std::min(kTogether, beam_count() - beam);
+      for (GainMatrix* matrix : {&some.gains.energy, &some.gains.in_phase, &some.gains.quadrature}) {
+        matrix->reshape(count, cell_count());
+      }
+      for (int block = 0; block * GainMatrix::kBlockBeams < count; ++block) {
+        set_block(focus, block, beam, energy, some);
+      }
+      receive(some.gains, beam, part);
     }
   }
 }
@@ -124,8 +224,9 @@ void BearingResponse::receive_energy(std::span<const float> cells, std::span<flo
   assert(beams.size() == static_cast<std::size_t>(beam_count()) * bin_count);
   const BinRange received = bins & filled;
   clear_outside(beams, bin_count, bins, received);
-  for_each_zone(received, [&](const Gains& zone, BinRange part) {
-    zone.energy.multiply(cells.data(), beams.data(), bin_count, part.first, part.last);
+  for_each_part(received, true, [&](const Gains& gains, int beam, BinRange part) {
+    float* const to = &beams[static_cast<std::size_t>(beam) * bin_count];
+    gains.energy.multiply(cells.data(), to, bin_count, part.first, part.last);
   });
 }
 
@@ -136,14 +237,14 @@ void BearingResponse::receive_field(std::span<const std::complex<float>> cells, 
   assert(cells.size() == static_cast<std::size_t>(cell_count()) * bin_count);
   assert(beams.size() == static_cast<std::size_t>(beam_count()) * bin_count);
   const auto* from = reinterpret_cast<const float*>(cells.data());
-  auto* to = reinterpret_cast<float*>(beams.data());
   const BinRange received = bins & filled;
   clear_outside(beams, bin_count, bins, received);
-  for_each_zone(received, [&](const Gains& zone, BinRange part) {
+  for_each_part(received, false, [&](const Gains& gains, int beam, BinRange part) {
+    auto* const to = reinterpret_cast<float*>(&beams[static_cast<std::size_t>(beam) * bin_count]);
     const int stride = 2 * bin_count, first = 2 * part.first, last = 2 * part.last;
-    zone.in_phase.multiply(from, to, stride, first, last);
-    if (zone.quadrature.beam_count() > 0) {
-      zone.quadrature.add_turned(from, to, stride, first, last);
+    gains.in_phase.multiply(from, to, stride, first, last);
+    if (gains.quadrature.beam_count() > 0) {
+      gains.quadrature.add_turned(from, to, stride, first, last);
     }
   });
 }

@@ -4,12 +4,14 @@
 
 #include <complex>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "echo/grid/echo_grid.h"
 #include "insonify/array_pattern.h"
 #include "insonify/sonar_config.h"
+#include "receiver/array/defocused_tables.h"
 #include "receiver/array/gain_matrix.h"
 #include "sonar/fan_pattern.h"
 
@@ -27,7 +29,8 @@ namespace insonify {
 /// Cells must be no wider than wavelength / D, or the correlation of speckle between neighbouring beams is wrong; half
 /// a beam spacing is fine enough. Where the edges of cells are given, those wider than kWideCell are received with the
 /// mean of |g|^2 over the cell, since their middle may be at a zero of the pattern. An array out of focus has other
-/// gains in other zones of bins. A bearing is given by its sine, so all bearings must be within 90 degrees of the axis.
+/// gains in other zones of bins: these are taken from DefocusedTables when a ping is received, as matrices of all zones
+/// would need gigabytes. A bearing is given by its sine, so all bearings must be within 90 degrees of the axis.
 class BearingResponse {
  public:
   static constexpr double kFloorDb = -60;
@@ -45,6 +48,7 @@ class BearingResponse {
                                               ///< gain of its centre.
     FanPattern element{std::nullopt};         ///< One element's gain, which multiplies that of the array.
     std::vector<Zone> zones = {};             ///< Empty: the array is focused at every range.
+    int elements = 0;                         ///< Of the array; 0: a line. Only asked with `zones`.
   };
 
   /// @param length      D / wavelength, > 0.
@@ -58,8 +62,8 @@ class BearingResponse {
                   std::span<const double> beam_sines, double floor_db = kFloorDb)
       : BearingResponse(pattern, length, cell_sines, beam_sines, floor_db, Extras()) {}
 
-  [[nodiscard]] int beam_count() const { return gains_.front().energy.beam_count(); }
-  [[nodiscard]] int cell_count() const { return gains_.front().energy.cell_count(); }
+  [[nodiscard]] int beam_count() const { return static_cast<int>(beam_sines_.size()); }
+  [[nodiscard]] int cell_count() const { return static_cast<int>(cell_sines_.size()); }
 
   /// Amplitude gain g for an echo from u in beam number `beam` and a bin.
   [[nodiscard]] std::complex<double> gain(int beam, double u, int bin = 0) const;
@@ -69,8 +73,12 @@ class BearingResponse {
     return pattern_.is_two_way() ? std::sqrt(gain(beam, u, bin)) : gain(beam, u, bin);
   }
 
-  /// Fraction of the beam x cell products that the sums include, 0..1. The computing time is proportional to it.
-  [[nodiscard]] double filled() const { return gains_.front().energy.filled(); }
+  /// Fraction of the beam x cell products that the sums include in focus, 0..1. The computing time is proportional to
+  /// it.
+  [[nodiscard]] double filled() const { return in_focus_.energy.filled(); }
+
+  /// Tables of the array out of focus; null where it is focused at every range.
+  [[nodiscard]] const DefocusedTables* defocused() const { return tables_ ? &*tables_ : nullptr; }
 
   /// Beam energies: the matrix product beams = |g|^2 cells, for the bins of one task. Allocates nothing.
   /// @param cells      Cell energies, [cell][bin].
@@ -87,29 +95,43 @@ class BearingResponse {
                      BinRange bins, BinRange filled) const;
 
  private:
-  // The gains of the bins before `end`.
   struct Gains {
-    int end = std::numeric_limits<int>::max();
-    double edge_phase = 0;
-    std::vector<ArrayPattern> patterns = {};    // [beam], out of focus; empty in focus.
     GainMatrix energy = {};                     // |g|^2.
     GainMatrix in_phase = {}, quadrature = {};  // Real and imaginary part of g; quadrature is empty where g is real.
   };
-  // The array's pattern for one beam in a zone.
-  [[nodiscard]] const ArrayPattern& pattern_in(const Gains& zone, int beam) const {
-    return zone.patterns.empty() ? pattern_ : zone.patterns[beam];
-  }
-  [[nodiscard]] std::complex<double> gain_of(const ArrayPattern& pattern, int beam, double u) const;
-  [[nodiscard]] double mean_intensity(const ArrayPattern& pattern, int beam, double from, double to) const;
-  void fill(Gains& zone, std::span<const double> cell_sines, double floor, std::span<const double> cell_edges) const;
+  // Bins before `end`.
+  struct Focus {
+    int end = std::numeric_limits<int>::max();
+    std::vector<int> tables = {};  // [beam], of tables_; empty in focus.
+  };
+  // Out of focus.
+  struct Scratch {
+    Gains gains;                              // Of some beams.
+    std::vector<float> in_phase, quadrature;  // [cell], of one.
+  };
+  [[nodiscard]] const Focus& focus_at(int bin) const;
+  [[nodiscard]] std::complex<double> focused_gain(int beam, double u) const;
+  template <typename Gain>
+  [[nodiscard]] double mean_intensity(int cell, const Gain& gain) const;
+  void fill_in_focus(double floor);
+  void defocus(const std::vector<Zone>& zones, int elements, double floor);
+  void set_block(const Focus& focus, int block, int first_beam, bool energy, Scratch& scratch) const;
   template <typename Receive>
-  void for_each_zone(BinRange bins, const Receive& receive) const;
+  void for_each_part(BinRange bins, bool energy, const Receive& receive) const;
 
   ArrayPattern pattern_;
   double length_;
   FanPattern element_;
   std::vector<double> beam_sines_;
-  std::vector<Gains> gains_;  // [zone]; one if the array is focused at every range.
+  std::vector<double> cell_sines_;
+  std::vector<double> cell_edges_;    // Empty, or one more than cells.
+  std::vector<float> places_;         // [cell] D / wavelength times the sine.
+  std::vector<float> element_gains_;  // [cell] Amplitude gain of one element.
+  std::vector<int> wide_;             // Cells that are received with their mean.
+  double widest_ = 0;                 // Half width of the widest of them [wavelength / D].
+  Gains in_focus_;
+  std::vector<Focus> focuses_;  // By range; one if the array is focused everywhere.
+  std::optional<DefocusedTables> tables_;
 };
 
 /// Zones of bins in which an array's edge phase is almost the same. Empty where the sonar has no focus_range.

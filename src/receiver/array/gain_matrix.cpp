@@ -14,7 +14,7 @@
 namespace insonify {
 namespace {
 
-constexpr int kBlockBeams = 8;
+constexpr int kBlockBeams = GainMatrix::kBlockBeams;
 constexpr int kStrip = 16;        // Floats: one cache line.
 constexpr int kPanelCells = 256;  // 16 KiB: a panel and the gains it is multiplied by fit the first-level cache.
 
@@ -79,10 +79,16 @@ void pack(const float* cells, int stride, int cell_count, int count, Panel& pane
 
 }  // namespace
 
-GainMatrix::GainMatrix(int beam_count, int cell_count) : beam_count_(beam_count), cell_count_(cell_count) {
+GainMatrix::GainMatrix(int beam_count, int cell_count) {
+  reshape(beam_count, cell_count);
+}
+
+void GainMatrix::reshape(int beam_count, int cell_count) {
+  beam_count_ = beam_count;
+  cell_count_ = cell_count;
   const std::size_t blocks = (beam_count + kBlockBeams - 1) / kBlockBeams;
   gains_.resize(blocks * kBlockBeams * cell_count);
-  bands_.resize(blocks);
+  bands_.assign(blocks, {});
 }
 
 std::size_t GainMatrix::place(int beam, int cell) const {

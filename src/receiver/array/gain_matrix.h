@@ -7,17 +7,26 @@
 namespace insonify {
 
 /// A matrix of real gains, beam_count x cell_count. Each row has a band of cells; gains outside it count as zero and
-/// are skipped. Rows are stored in blocks of 8 beams that share one band.
+/// are skipped. Rows are stored in blocks of kBlockBeams beams that share one band.
 class GainMatrix {
  public:
+  static constexpr int kBlockBeams = 8;
+
   GainMatrix() = default;
   GainMatrix(int beam_count, int cell_count);
+
+  /// Changes the shape and empties all bands; gains within them are undefined until set. Allocates nothing where the
+  /// matrix has been as large before.
+  void reshape(int beam_count, int cell_count);
 
   [[nodiscard]] int beam_count() const { return beam_count_; }
   [[nodiscard]] int cell_count() const { return cell_count_; }
 
   void set(int beam, int cell, float gain);
   [[nodiscard]] float get(int beam, int cell) const;
+
+  /// The gains of one beam, kBlockBeams apart from cell to cell.
+  [[nodiscard]] float* row(int beam) { return &gains_[place(beam, 0)]; }
 
   /// Extends the band of the beam's block to include the cells [first, last). Bands are empty at first. A band is
   /// shared by the beams of a block, so gains of a beam outside its own limits may still be used.

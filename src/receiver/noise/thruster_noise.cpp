@@ -26,20 +26,13 @@ double mean_intensity(const ThrusterNoise::Settings& settings, const Thruster& t
                          4 * kPi);
 }
 
-// [beam] Pattern of the array defocused for a distance, see focus_zones().
-std::vector<ArrayPattern> out_of_focus(const ThrusterNoise::Settings& settings, std::span<const double> sines,
-                                       double range) {
-  std::vector<ArrayPattern> patterns;
+// Edge phase of the unsteered array for a distance, see focus_zones(); 0 in focus.
+double edge_phase(const ThrusterNoise::Settings& settings, double range) {
   if (settings.array == nullptr || !settings.sonar.focus_range) {
-    return patterns;
+    return 0;
   }
   const double across = settings.length * settings.wavelength;
-  const double phase =
-      0.25 * kPi * settings.length * across * (1 / std::max(range, across) - 1 / *settings.sonar.focus_range);
-  for (const double sine : sines) {
-    patterns.push_back(settings.array->defocused(phase * (1 - sine * sine)));
-  }
-  return patterns;
+  return 0.25 * kPi * settings.length * across * (1 / std::max(range, across) - 1 / *settings.sonar.focus_range);
 }
 
 }  // namespace
@@ -67,7 +60,7 @@ ThrusterNoise::ThrusterNoise(const Settings& settings)
                         .range = range,
                         .mean = mean_intensity(settings, thruster, range),
                         .depth = thruster.modulation * sinc(thruster.blade_rate * settings.duration),
-                        .patterns = out_of_focus(settings, sines_, range),
+                        .edge_phase = edge_phase(settings, range),
                         .gains = std::vector<std::complex<float>>(static_cast<std::size_t>(beams_)),
                         .values = std::vector<float>(2 * static_cast<std::size_t>(bins_)),
                         .envelope = std::vector<float>(static_cast<std::size_t>(bins_))});
@@ -89,8 +82,8 @@ void ThrusterNoise::aim(Source& source, const Vec3& place) const {
   for (int beam = 0; beam < beams_; ++beam) {
     std::complex<double> gain = slices_.has(beam, bearing) ? 1 : 0;
     if (array_) {
-      const ArrayPattern& pattern = source.patterns.empty() ? *array_ : source.patterns[beam];
-      gain = pattern.amplitude(length_ * (sine - sines_[beam]));
+      const double x = length_ * (sine - sines_[beam]), phase = source.edge_phase * (1 - sines_[beam] * sines_[beam]);
+      gain = phase == 0 ? array_->amplitude(x) : array_->defocused(phase).amplitude(x);
       gain *= element_.is_flat() ? 1 : std::sqrt(element_.intensity(sine));
     }
     source.gains[beam] = std::complex<float>(across * gain);
