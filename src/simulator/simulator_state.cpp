@@ -63,7 +63,9 @@ void Simulator::State::load_scene() {
     if (sea) {
       water = WaterMirror{.level = scenario.surface->level, .surface = sea->label()};
     }
-    targets = find_targets(scene, water, *engine, workers);
+    const bool corners = scenario.secondary != SecondaryEchoes::kNone && scenario.max_surfaces >= 3;
+    const WantedTargets wanted{.mirrors = !scenario.points.empty(), .corners = corners};
+    targets = find_targets(scene, water, wanted, *engine, workers);
   }
   for (SimulatedSonar& sonar : sonars) {
     sonar.sources.clear();

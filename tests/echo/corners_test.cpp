@@ -32,7 +32,8 @@ Scene scene_of_parts(std::vector<Instance> parts) {
 }
 
 std::vector<Corner> corners_of(const Scene& scene, const std::optional<WaterMirror>& water) {
-  return find_corners(scene, find_plane_mirrors(scene, -1), water);
+  Workers workers(2);
+  return find_corners(scene, find_plane_mirrors(scene, -1, workers), water, workers);
 }
 
 const Pose kPose{.position = {104.3, -51.2, -7.7}, .orientation = orientation_from_rpy(0.31, -0.52, 1.9)};
@@ -243,6 +244,27 @@ TEST(CornersTest, OfAMovingObjectGoWithIt) {
   const auto own = std::ranges::find(corners, 1, &Corner::instance);
   ASSERT_NE(own, corners.end());
   EXPECT_LT(own->apex.norm(), 1e-6);  // In the frame of its mesh.
+}
+
+// Their 1800 mirrors are in planes that cross everywhere; only those of one reflector meet.
+TEST(CornersTest, AmongManyParallelMirrorsThoseThatMeetMakeCorners) {
+  constexpr int kReflectors = 600;
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> anywhere(-200, 200);
+  std::vector<Instance> parts;
+  for (int i = 0; i < kReflectors; ++i) {
+    const Vec3 at(anywhere(random), anywhere(random), anywhere(random));
+    parts.push_back(instance_of(trihedral(0.1 + 0.0005 * i, i % 2 == 0), {.position = at}));
+  }
+  const Scene scene = scene_of_parts(parts);
+  const std::vector<Corner> corners = corners_of(scene, {});
+  EXPECT_EQ(corners.size(), static_cast<std::size_t>(kReflectors));
+  for (const Instance& part : parts) {  // Mirrors as close as kFlush are one.
+    const auto is_here = [&](const Corner& corner) {
+      return (corner.apex - part.world_from_mesh.position).norm() < 2 * PlaneMirror::kFlush;
+    };
+    EXPECT_EQ(std::ranges::count_if(corners, is_here), 1);
+  }
 }
 
 }  // namespace

@@ -12,6 +12,8 @@
 namespace insonify::face_glints_test {
 namespace {
 
+Workers workers(2);
+
 constexpr double kPi = std::numbers::pi;
 
 double db(double intensity) {
@@ -93,7 +95,7 @@ Scene scene_of(std::vector<std::pair<Mesh, double>> bodies) {
 TEST(GlintingFacesTest, AreThePlaneFacesOfMaterialsThatHaveAHeight) {
   const Scene scene = scene_of({{make_box({1, 2, 3}), 1e-5}, {make_box({1, 1, 1}), 0}, {make_sphere(1, 0.1), 1e-5}});
   LeftOut left_out;
-  const GlintingFaces faces = find_glinting_faces(scene, left_out);
+  const GlintingFaces faces = find_glinting_faces(scene, left_out, workers);
   ASSERT_EQ(faces.groups.size(), 1U);
   EXPECT_EQ(faces.groups[0].instance, 0);
   EXPECT_EQ(faces.groups[0].surface.size(), 6U);
@@ -111,7 +113,7 @@ TEST(GlintingFacesTest, ThinPartsAreNone) {
   const Scene scene = scene_of({{make_box({1, 1, 1}), 1e-5}});
   LeftOut left_out;
   left_out.thickness = {std::vector<float>(12, 0.02F)};
-  EXPECT_FALSE(find_glinting_faces(scene, left_out).any());
+  EXPECT_FALSE(find_glinting_faces(scene, left_out, workers).any());
 }
 
 }  // namespace

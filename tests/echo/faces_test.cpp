@@ -6,16 +6,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <set>
 
 namespace insonify::faces_test {
 namespace {
 
 constexpr float kWide = 1e6F;
+Workers workers(2);
 
 TEST(FacesTest, ABoxHasSixAndASphereNone) {
   const Mesh box = make_box({0.4, 0.6, 1.2});
-  const auto found = find_faces(box);
+  const auto found = find_faces(box, workers);
   ASSERT_EQ(found->faces.size(), 6U);
   std::multiset<int> areas;  // [cm^2]
   for (const Face& face : found->faces) {
@@ -24,12 +26,12 @@ TEST(FacesTest, ABoxHasSixAndASphereNone) {
     EXPECT_GE(face.half[0], face.half[1]);  // Along the longest outer edge, never along a diagonal.
   }
   EXPECT_EQ(areas, (std::multiset<int>{2400, 2400, 4800, 4800, 7200, 7200}));
-  EXPECT_TRUE(find_faces(make_sphere(0.5))->faces.empty());
+  EXPECT_TRUE(find_faces(make_sphere(0.5), workers)->faces.empty());
 }
 
 // The ends of a cylinder are plane, its mantle is not. A disc of radius a has the area of a square of side sqrt(pi) a.
 TEST(FacesTest, EndsOfACylinderAreDiscs) {
-  const auto found = find_faces(make_cylinder(0.3, 2));
+  const auto found = find_faces(make_cylinder(0.3, 2), workers);
   ASSERT_EQ(found->faces.size(), 2U);
   for (const Face& face : found->faces) {
     EXPECT_NEAR(4 * face.half[0] * face.half[1], 3.14159265 * 0.3 * 0.3, 0.002);
@@ -37,10 +39,56 @@ TEST(FacesTest, EndsOfACylinderAreDiscs) {
   }
 }
 
+// Terraces at random heights: a triangle belongs to the face of each neighbour of the same height, and of no other.
+TEST(FacesTest, TerracesAreTheConnectedSquaresOfOneHeight) {
+  constexpr int kSide = 40;
+  std::mt19937 random(4);
+  int heights[kSide][kSide];
+  Mesh mesh;
+  for (auto& row : heights) {
+    for (int& height : row) {
+      height = static_cast<int>(random() % 2);
+    }
+  }
+  for (int i = 0; i < kSide; ++i) {
+    for (int j = 0; j < kSide; ++j) {
+      const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+      for (const auto& [x, y] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) {
+        mesh.vertices.emplace_back(static_cast<float>(i + x), static_cast<float>(j + y),
+                                   static_cast<float>(heights[i][j]));
+        mesh.normals.emplace_back(Vec3f::UnitZ());
+      }
+      mesh.triangles.push_back({first, first + 1, first + 2});
+      mesh.triangles.push_back({first, first + 2, first + 3});
+    }
+  }
+  const auto found = find_faces(mesh, workers);
+  const auto face_of = [&](int i, int j) { return found->face_of[2 * (kSide * i + j)]; };
+  std::vector<float> areas(found->faces.size(), 0);
+  for (int i = 0; i < kSide; ++i) {
+    for (int j = 0; j < kSide; ++j) {
+      EXPECT_EQ(face_of(i, j), found->face_of[2 * (kSide * i + j) + 1]);
+      EXPECT_TRUE(i == 0 || (face_of(i, j) == face_of(i - 1, j)) == (heights[i][j] == heights[i - 1][j]));
+      EXPECT_TRUE(j == 0 || (face_of(i, j) == face_of(i, j - 1)) == (heights[i][j] == heights[i][j - 1]));
+      areas[face_of(i, j)] += 1;
+    }
+  }
+  for (std::size_t face = 0; face < areas.size(); ++face) {
+    EXPECT_NEAR(4 * found->faces[face].half[0] * found->faces[face].half[1], areas[face], 1e-3 * areas[face]);
+  }
+}
+
+TEST(FacesTest, AreFoundOnceForAMesh) {
+  const auto mesh = std::make_shared<const Mesh>(make_box({1, 2, 3}));
+  const auto faces = shared_faces(mesh, workers);
+  EXPECT_EQ(shared_faces(mesh, workers), faces);
+  EXPECT_NE(shared_faces(std::make_shared<const Mesh>(*mesh), workers), faces);
+}
+
 // A hit 0.1 m from the middle of a plate of 0.4 x 1 m, turned by a quarter.
 TEST(FacesTest, EdgesAreMeasuredFromTheHit) {
   const Mesh plate = make_plane(Vec3::UnitX(), 0.4, 1.0);
-  const auto found = find_faces(plate);
+  const auto found = find_faces(plate, workers);
   ASSERT_EQ(found->faces.size(), 1U);
   const Face& face = found->faces.front();
   const Vec3f hit(0, 0.1F, -0.3F);

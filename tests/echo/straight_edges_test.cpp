@@ -15,6 +15,8 @@
 namespace insonify::straight_edges_test {
 namespace {
 
+Workers workers(2);
+
 constexpr double kPi = std::numbers::pi;
 
 struct Body {
@@ -42,10 +44,10 @@ Scene scene_of(std::vector<Body> bodies) {
 }
 
 StraightEdges edges_of(const Scene& scene, LeftOut left_out = {}) {
-  const GlintingFaces faces = find_glinting_faces(scene, left_out);
+  const GlintingFaces faces = find_glinting_faces(scene, left_out, workers);
   const std::unique_ptr<TestEngine> engine = test_engine("cpu", 1);
   engine->set_scene(scene);
-  return find_straight_edges(scene, faces, engine->engine());
+  return find_straight_edges(scene, faces, engine->engine(), workers);
 }
 
 std::vector<StraightEdges::Edge> all_edges(const Scene& scene) {

@@ -85,7 +85,7 @@ void CpuScene::remove(unsigned id) {
 }
 
 // Adds an instance, or keeps the part that it is already.
-void CpuScene::set(const Instance& instance, unsigned id) {
+void CpuScene::set(const Instance& instance, unsigned id, Workers& workers) {
   Part& part = parts_[id];
   if (part.mesh != nullptr && !has(part, instance)) {
     remove(id);
@@ -102,7 +102,7 @@ void CpuScene::set(const Instance& instance, unsigned id) {
   part.offset = (instance.world_from_mesh.position - origin_).cast<float>();
   const bool is_new = part.mesh == nullptr;
   if (is_new) {
-    part.faces = find_faces(*instance.mesh);
+    part.faces = shared_faces(instance.mesh, workers);
     part.mesh = instance.mesh;
     part.world_from_mesh = instance.world_from_mesh;
     part.triangles = instance.mesh->triangles.data();
@@ -118,7 +118,7 @@ void CpuScene::set(const Instance& instance, unsigned id) {
   }
 }
 
-void CpuScene::set(const Scene& scene) {
+void CpuScene::set(const Scene& scene, Workers& workers) {
   const Vec3 origin = scene.middle();
   if (!whole_ || origin != origin_ || scene.instances.size() < parts_.size()) {
     clear();
@@ -142,7 +142,7 @@ void CpuScene::set(const Scene& scene) {
   any_moving_ = any_faces_ = false;
   parts_.resize(scene.instances.size());
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-    set(scene.instances[i], static_cast<unsigned>(i));
+    set(scene.instances[i], static_cast<unsigned>(i), workers);
   }
   rtcCommitScene(scene_);
   if (const RTCError error = rtcGetDeviceError(device_); error != RTC_ERROR_NONE) {

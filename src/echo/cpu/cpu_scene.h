@@ -28,7 +28,7 @@ class CpuScene {
 
   /// Builds a scene. Instances with the same index, mesh and pose as in the last scene are not built again if the
   /// middle of the scene, the origin of stored positions, is the same.
-  void set(const Scene& scene);
+  void set(const Scene& scene, Workers& workers);
   void move(int instance, const Pose& world_from_mesh);
 
   /// Makes the moves since the last call effective for the rays that follow.
@@ -107,7 +107,7 @@ class CpuScene {
 
   void clear();
   [[nodiscard]] bool has(const Part& part, const Instance& instance) const;
-  void set(const Instance& instance, unsigned id);
+  void set(const Instance& instance, unsigned id, Workers& workers);
   void remove(unsigned id);
   void add_still(const Instance& instance, unsigned id);
   void add_moving(const Instance& instance, unsigned id);

@@ -9,8 +9,8 @@
 
 namespace insonify {
 
-void CpuWorld::set(const Scene& scene) {
-  scene_.set(scene);
+void CpuWorld::set(const Scene& scene, Workers& workers) {
+  scene_.set(scene, workers);
   source_ = &scene;
   raster_scene_ = {};
   raster_ready_ = false;

@@ -3,11 +3,16 @@
 #include "echo/mirror/faces.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <map>
+#include <mutex>
 #include <numeric>
-#include <unordered_map>
+#include <span>
 #include <utility>
+
+#include "base/parallel_blocks.h"
+#include "echo/mirror/mesh_sides.h"
 
 namespace insonify {
 namespace {
@@ -15,22 +20,8 @@ namespace {
 // Normals with a greater cosine between them count as equal (0.8 degrees).
 constexpr float kSameNormal = 0.9999F;
 
-// An edge: welded numbers of its vertices, the lower first.
-using Edge = std::pair<std::uint32_t, std::uint32_t>;
-
-Edge edge_of(std::uint32_t a, std::uint32_t b) {
-  return a < b ? Edge{a, b} : Edge{b, a};
-}
-
-struct PlaceHash {
-  std::size_t operator()(const std::array<float, 3>& place) const {
-    std::size_t hash = 0;
-    for (const float x : place) {
-      hash = hash * 1000003 + std::hash<float>()(x);
-    }
-    return hash;
-  }
-};
+constexpr std::size_t kBlock = 1 << 14;  // Triangles or vertices of a task.
+constexpr std::uint32_t kNone = MeshFaces::kNone;
 
 // Union-find with path halving.
 struct Groups {
@@ -51,27 +42,37 @@ Vec3f area_vector(const Mesh& mesh, std::size_t triangle) {
   return 0.5F * (mesh.vertices[corners[1]] - a).cross(mesh.vertices[corners[2]] - a);
 }
 
-// Rectangle of a group of triangles: aligned with its longest outer edge, with its centroid and area, and with the
-// ratio of its extents.
-Face measure(const Mesh& mesh, const std::vector<std::uint32_t>& number, const std::vector<std::uint32_t>& group) {
-  Face face{.corner = mesh.triangles[group.front()][0]};
-  std::map<Edge, int> uses;
-  Vec3f normal = Vec3f::Zero();
-  for (const std::uint32_t triangle : group) {
-    const auto& corners = mesh.triangles[triangle];
-    for (int k = 0; k < 3; ++k) {
-      ++uses[edge_of(number[corners[k]], number[corners[(k + 1) % 3]])];
-    }
-    normal = area_vector(mesh, triangle).normalized();
-  }
+// Longest of those sides of a group of triangles that only one of them has; kNone without any.
+// @param outer  [side] 1 for these.
+std::uint32_t longest_outer_side(const Mesh& mesh, const MeshSides& sides, const std::vector<std::uint8_t>& outer,
+                                 std::span<const std::uint32_t> group) {
+  std::uint32_t found = kNone;
   float longest = 0;
-  Vec3f along = normal.unitOrthogonal();
-  for (const auto& [edge, times] : uses) {
-    const Vec3f side = mesh.vertices[edge.second] - mesh.vertices[edge.first];
-    if (times == 1 && side.norm() > longest) {
-      longest = side.norm();
-      along = side.normalized();
+  for (const std::uint32_t triangle : group) {
+    for (std::uint32_t side = 3 * triangle; side < 3 * triangle + 3; ++side) {
+      if (outer[side] != 0) {
+        const auto [low, high] = sides.ends(side);
+        const float length = (mesh.vertices[high] - mesh.vertices[low]).norm();
+        if (length > longest || (found != kNone && length == longest && sides.ends(side) < sides.ends(found))) {
+          longest = length;
+          found = side;
+        }
+      }
     }
+  }
+  return found;
+}
+
+// Rectangle of a group of triangles: aligned with its longest outer side, with its centroid and area, and with the
+// ratio of its extents.
+Face measure(const Mesh& mesh, const MeshSides& sides, const std::vector<std::uint8_t>& outer,
+             std::span<const std::uint32_t> group) {
+  Face face{.corner = mesh.triangles[group.front()][0]};
+  const Vec3f normal = area_vector(mesh, group.back()).normalized();
+  Vec3f along = normal.unitOrthogonal();
+  if (const std::uint32_t side = longest_outer_side(mesh, sides, outer, group); side != kNone) {
+    const auto [low, high] = sides.ends(side);
+    along = (mesh.vertices[high] - mesh.vertices[low]).normalized();
   }
   face.axes = {along, normal.cross(along).normalized()};
 
@@ -102,18 +103,125 @@ Face measure(const Mesh& mesh, const std::vector<std::uint32_t>& number, const s
   return face;
 }
 
-}  // namespace
-
-std::vector<std::uint32_t> welded_vertices(const Mesh& mesh) {
-  std::unordered_map<std::array<float, 3>, std::uint32_t, PlaceHash> numbers;
-  std::vector<std::uint32_t> number(mesh.vertices.size());
-  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-    const Vec3f& v = mesh.vertices[i];
-    number[i] =
-        numbers.try_emplace({v.x() + 0.0F, v.y() + 0.0F, v.z() + 0.0F}, static_cast<std::uint32_t>(i)).first->second;
+// [triangle] Unit normals of flat triangles, 0 for others; empty without any.
+std::vector<Vec3f> flat_normals(const Mesh& mesh, Workers& workers) {
+  std::vector<Vec3f> normals(mesh.triangles.size());
+  std::atomic<bool> any = false;
+  for_each_block(workers, normals.size(), kBlock, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const Vec3f area = area_vector(mesh, i);
+      const bool flat = area.norm() > 0 && is_flat(mesh, i, area.normalized());
+      normals[i] = flat ? area.normalized() : Vec3f::Zero();
+      if (flat) {
+        any.store(true, std::memory_order_relaxed);
+      }
+    }
+  });
+  if (!any) {
+    normals.clear();
   }
-  return number;
+  return normals;
 }
+
+// [triangle] Root of its group: flat triangles that are connected and coplanar. Sides of more than two triangles
+// connect all with the first one.
+std::vector<std::uint32_t> grouped(const Mesh& mesh, const MeshSides& sides, const std::vector<Vec3f>& normals,
+                                   Workers& workers) {
+  std::vector<std::uint32_t> beside(3 * normals.size(), kNone);  // [side] Triangle that it connects with.
+  for_each_block(workers, sides.vertex_count(), kBlock, [&](std::size_t begin, std::size_t end) {
+    sides.for_each_edge(begin, end, [&](std::span<const std::uint32_t> together) {
+      std::uint32_t other = kNone;
+      for (const std::uint32_t side : together) {
+        const std::uint32_t i = side / 3;
+        if (normals[i].isZero()) {
+          continue;
+        }
+        if (other == kNone) {
+          other = i;
+        } else if (std::abs(normals[other].dot(normals[i])) > kSameNormal && mesh.slot_of(other) == mesh.slot_of(i)) {
+          beside[side] = other;
+        }
+      }
+    });
+  });
+  Groups groups(normals.size());  // In the order of the triangles, on which the roots depend, and the faces' order.
+  for (std::uint32_t side = 0; side < beside.size(); ++side) {
+    if (beside[side] != kNone) {
+      groups.parent[groups.root(side / 3)] = groups.root(beside[side]);
+    }
+  }
+  for (std::uint32_t i = 0; i < normals.size(); ++i) {
+    groups.parent[i] = normals[i].isZero() ? kNone : groups.root(i);
+  }
+  return std::move(groups.parent);
+}
+
+// [triangle] Number of its face, by the order of the roots; returns the number of faces.
+std::size_t number_faces(const std::vector<std::uint32_t>& roots, std::vector<std::uint32_t>& face_of) {
+  std::uint32_t count = 0;
+  face_of.assign(roots.size(), kNone);
+  for (const std::uint32_t root : roots) {
+    if (root != kNone) {
+      face_of[root] = 0;
+    }
+  }
+  for (std::uint32_t& face : face_of) {
+    face = face == kNone ? kNone : count++;
+  }
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    face_of[i] = roots[i] == kNone ? kNone : face_of[roots[i]];
+  }
+  return count;
+}
+
+// [side] 1 for the sides of a face that only one of its triangles has.
+std::vector<std::uint8_t> outer_sides(const MeshSides& sides, const std::vector<std::uint32_t>& face_of,
+                                      Workers& workers) {
+  std::vector<std::uint8_t> outer(3 * face_of.size(), 0);
+  for_each_block(workers, sides.vertex_count(), kBlock, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> by_face;
+    sides.for_each_edge(begin, end, [&](std::span<const std::uint32_t> together) {
+      by_face.clear();
+      for (const std::uint32_t side : together) {
+        by_face.emplace_back(face_of[side / 3], side);
+      }
+      std::ranges::sort(by_face);
+      for (std::size_t i = 0; i < by_face.size(); ++i) {
+        const bool alone = (i == 0 || by_face[i - 1].first != by_face[i].first) &&
+                           (i + 1 == by_face.size() || by_face[i + 1].first != by_face[i].first);
+        outer[by_face[i].second] = alone && by_face[i].first != kNone ? 1 : 0;
+      }
+    });
+  });
+  return outer;
+}
+
+// Measures the faces, given how many there are and which one each triangle belongs to.
+void measure_all(const Mesh& mesh, const MeshSides& sides, std::size_t count, Workers& workers, MeshFaces& found) {
+  const std::vector<std::uint8_t> outer = outer_sides(sides, found.face_of, workers);
+  std::vector<std::uint32_t> ends(count + 1, 0), members;  // [face] End of its triangles in `members`.
+  for (const std::uint32_t face : found.face_of) {
+    if (face != kNone) {
+      ++ends[face + 1];
+    }
+  }
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  members.resize(ends.back());
+  for (std::uint32_t i = 0; i < found.face_of.size(); ++i) {
+    if (found.face_of[i] != kNone) {
+      members[ends[found.face_of[i]]++] = i;
+    }
+  }
+  found.faces.resize(count);
+  for_each_block(workers, count, 64, [&](std::size_t first, std::size_t last) {
+    for (std::size_t face = first; face < last; ++face) {
+      const std::uint32_t begin = face == 0 ? 0 : ends[face - 1];
+      found.faces[face] = measure(mesh, sides, outer, std::span(members).subspan(begin, ends[face] - begin));
+    }
+  });
+}
+
+}  // namespace
 
 bool is_flat(const Mesh& mesh, std::size_t triangle, const Vec3f& normal) {
   return std::ranges::all_of(mesh.triangles[triangle], [&](std::uint32_t vertex) {
@@ -121,48 +229,34 @@ bool is_flat(const Mesh& mesh, std::size_t triangle, const Vec3f& normal) {
   });
 }
 
-std::shared_ptr<const MeshFaces> find_faces(const Mesh& mesh) {
+std::shared_ptr<const MeshFaces> find_faces(const Mesh& mesh, Workers& workers) {
   auto found = std::make_shared<MeshFaces>();
-  const std::size_t count = mesh.triangles.size();
-  std::vector<Vec3f> normals(count, Vec3f::Zero());
-  bool any = false;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vec3f area = area_vector(mesh, i);
-    if (area.norm() > 0 && is_flat(mesh, i, area.normalized())) {
-      normals[i] = area.normalized();
-      any = true;
-    }
+  std::vector<Vec3f> normals = flat_normals(mesh, workers);
+  if (!normals.empty()) {
+    const MeshSides sides(mesh, workers);
+    const std::size_t count = number_faces(grouped(mesh, sides, normals, workers), found->face_of);
+    std::vector<Vec3f>().swap(normals);
+    measure_all(mesh, sides, count, workers, *found);
   }
-  if (!any) {
-    return found;
-  }
-  const std::vector<std::uint32_t> number = welded_vertices(mesh);
-  Groups groups(count);
-  std::map<Edge, std::uint32_t> beside;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    for (int k = 0; k < 3 && !normals[i].isZero(); ++k) {
-      const auto& corners = mesh.triangles[i];
-      const auto [entry, is_new] = beside.try_emplace(edge_of(number[corners[k]], number[corners[(k + 1) % 3]]), i);
-      const std::uint32_t other = entry->second;
-      if (!is_new && std::abs(normals[other].dot(normals[i])) > kSameNormal && mesh.slot_of(other) == mesh.slot_of(i)) {
-        groups.parent[groups.root(i)] = groups.root(other);
+  return found;
+}
+
+std::shared_ptr<const MeshFaces> shared_faces(const std::shared_ptr<const Mesh>& mesh, Workers& workers) {
+  static std::mutex mutex;
+  static std::map<std::weak_ptr<const Mesh>, std::weak_ptr<const MeshFaces>, std::owner_less<>> known;
+  {
+    const std::scoped_lock lock(mutex);
+    std::erase_if(known, [](const auto& entry) { return entry.first.expired() || entry.second.expired(); });
+    if (const auto entry = known.find(mesh); entry != known.end()) {
+      if (std::shared_ptr<const MeshFaces> faces = entry->second.lock()) {
+        return faces;
       }
     }
   }
-  std::map<std::uint32_t, std::vector<std::uint32_t>> members;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    if (!normals[i].isZero()) {
-      members[groups.root(i)].push_back(i);
-    }
-  }
-  found->face_of.assign(count, MeshFaces::kNone);
-  for (const auto& [root, group] : members) {
-    for (const std::uint32_t triangle : group) {
-      found->face_of[triangle] = static_cast<std::uint32_t>(found->faces.size());
-    }
-    found->faces.push_back(measure(mesh, number, group));
-  }
-  return found;
+  std::shared_ptr<const MeshFaces> faces = find_faces(*mesh, workers);
+  const std::scoped_lock lock(mutex);
+  known[mesh] = faces;
+  return faces;
 }
 
 FaceTilt FaceTilt::of(const FaceEdges& face, std::uint32_t column, std::uint32_t row, std::uint32_t seed,

@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/parallel.h"
 #include "echo/laws/laws.h"
 #include "insonify/mesh.h"
 
@@ -28,15 +29,15 @@ struct MeshFaces {
       face_of;  ///< [triangle] Index of its face; kNone on curved surfaces. Empty if the whole mesh is curved.
 };
 
-/// [vertex] Number of each vertex of a mesh; vertices at the same position have the same number.
-[[nodiscard]] std::vector<std::uint32_t> welded_vertices(const Mesh& mesh);
-
 /// Whether a triangle is flat: its vertex normals agree with its geometric normal within 0.8 degrees.
 /// @param normal  Geometric unit normal, of either sign.
 [[nodiscard]] bool is_flat(const Mesh& mesh, std::size_t triangle, const Vec3f& normal);
 
 /// Finds the faces of a mesh. Triangles that are not flat belong to curved surfaces, which ray_tube() handles instead.
-[[nodiscard]] std::shared_ptr<const MeshFaces> find_faces(const Mesh& mesh);
+[[nodiscard]] std::shared_ptr<const MeshFaces> find_faces(const Mesh& mesh, Workers& workers);
+
+/// The same, found once for a mesh as long as someone has its faces.
+[[nodiscard]] std::shared_ptr<const MeshFaces> shared_faces(const std::shared_ptr<const Mesh>& mesh, Workers& workers);
 
 /// Axes and edges of a face, relative to a hit on it.
 struct FaceEdges {

@@ -94,8 +94,9 @@ void TriangleScene::set(const Scene& scene, const Vec3& origin) {
   faces_.clear();
   poses_.assign(scene.instances.size(), {});
   balls_.assign(scene.instances.size(), {});
+  Workers alone(1);
   for (const Instance& instance : scene.instances) {
-    faces_.push_back(instance.present ? find_faces(*instance.mesh) : nullptr);
+    faces_.push_back(instance.present ? shared_faces(instance.mesh, alone) : nullptr);
   }
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     first_triangle_.push_back(triangles_.size());

@@ -60,6 +60,6 @@ struct Corner {
 /// within each moving instance.
 /// @param still  find_plane_mirrors() of the static instances.
 [[nodiscard]] std::vector<Corner> find_corners(const Scene& scene, const std::vector<PlaneMirror>& still,
-                                               const std::optional<WaterMirror>& water);
+                                               const std::optional<WaterMirror>& water, Workers& workers);
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// edge_parts.cpp -- sorts triangle sides by their vertices to find shared ones, and joins collinear ones by union-find.
+// edge_parts.cpp -- picks the triangle sides at which faces meet or end, and joins collinear ones by union-find.
 
 #include "echo/targets/edge_parts.h"
 
@@ -11,27 +11,6 @@
 
 namespace insonify {
 namespace {
-
-// A side of a triangle, by the welded numbers of its ends; the lower first.
-struct TriangleSide {
-  std::uint32_t low, high, triangle;
-  bool forwards;  // Whether the triangle's winding runs from `low` to `high`.
-};
-
-std::vector<TriangleSide> sorted_sides(const Mesh& mesh, const std::vector<std::uint32_t>& number) {
-  std::vector<TriangleSide> sides;
-  sides.reserve(3 * mesh.triangles.size());
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (int k = 0; k < 3; ++k) {
-      const std::uint32_t a = number[mesh.triangles[t][k]], b = number[mesh.triangles[t][(k + 1) % 3]];
-      if (a != b) {
-        sides.push_back({std::min(a, b), std::max(a, b), t, a < b});
-      }
-    }
-  }
-  std::ranges::sort(sides, {}, [](const TriangleSide& s) { return std::tuple(s.low, s.high, s.triangle); });
-  return sides;
-}
 
 double enclosed_volume(const Mesh& mesh) {
   double sum = 0;
@@ -47,26 +26,23 @@ double enclosed_volume(const Mesh& mesh) {
 }  // namespace
 
 EdgeParts::EdgeParts(const Mesh& mesh, const MeshFaces& faces, const std::vector<std::uint8_t>& taken,
-                     double least_turn)
-    : mesh_(mesh), number_(welded_vertices(mesh)) {
-  const std::vector<TriangleSide> sides = sorted_sides(mesh, number_);
+                     double least_turn, Workers& workers)
+    : mesh_(mesh), sides_(mesh, workers) {
   bool closed = true;
-  for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
-    while (last < sides.size() && sides[last].low == sides[first].low && sides[last].high == sides[first].high) {
-      ++last;
+  sides_.for_each_edge(0, sides_.vertex_count(), [&](std::span<const std::uint32_t> sides) {
+    const bool border = sides.size() == 1, between = sides.size() == 2;
+    closed = closed && between && sides_.runs_upwards(sides[0]) != sides_.runs_upwards(sides[1]);
+    const std::uint32_t first = sides[0] / 3;
+    if (!(border || between) || taken[first] == 0) {
+      return;
     }
-    const bool border = last - first == 1, between = last - first == 2;
-    closed = closed && between && sides[first].forwards != sides[first + 1].forwards;
-    if (!(border || between) || taken[sides[first].triangle] == 0) {
-      continue;
-    }
-    EdgePart part = {sides[first].low, sides[first].high, {sides[first].triangle, EdgePart::kNoTriangle}, {}};
-    part.face = {faces.face_of[part.triangle[0]], MeshFaces::kNone};
+    const auto [low, high] = sides_.ends(sides[0]);
+    EdgePart part = {low, high, {first, EdgePart::kNoTriangle}, {faces.face_of[first], MeshFaces::kNone}};
     if (between) {
-      part.triangle[1] = sides[first + 1].triangle;
+      part.triangle[1] = sides[1] / 3;
       part.face[1] = faces.face_of[part.triangle[1]];
       if (taken[part.triangle[1]] == 0 || part.face[0] == part.face[1] || !turns(part, least_turn)) {
-        continue;
+        return;
       }
       if (part.face[0] > part.face[1]) {
         std::swap(part.face[0], part.face[1]);
@@ -74,7 +50,7 @@ EdgeParts::EdgeParts(const Mesh& mesh, const MeshFaces& faces, const std::vector
       }
     }
     parts_.push_back(part);
-  }
+  });
   if (closed && enclosed_volume(mesh) > 0) {
     std::erase_if(parts_, [&](const EdgePart& part) { return is_inside_corner(part); });
   }
@@ -82,7 +58,7 @@ EdgeParts::EdgeParts(const Mesh& mesh, const MeshFaces& faces, const std::vector
 
 Vec3 EdgeParts::opposite(const EdgePart& part, int side) const {
   for (const std::uint32_t vertex : mesh_.triangles[part.triangle[side]]) {
-    if (number_[vertex] != part.low && number_[vertex] != part.high) {
+    if (sides_.numbers()[vertex] != part.low && sides_.numbers()[vertex] != part.high) {
       return edge_vertex(mesh_, vertex);
     }
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "echo/mirror/faces.h"
+#include "echo/mirror/mesh_sides.h"
 
 namespace insonify {
 
@@ -33,7 +34,8 @@ class EdgeParts {
  public:
   /// @param taken       [triangle] 1 if the triangle's face is used.
   /// @param least_turn  Least angle between the normals of two faces [rad].
-  EdgeParts(const Mesh& mesh, const MeshFaces& faces, const std::vector<std::uint8_t>& taken, double least_turn);
+  EdgeParts(const Mesh& mesh, const MeshFaces& faces, const std::vector<std::uint8_t>& taken, double least_turn,
+            Workers& workers);
 
   [[nodiscard]] const std::vector<EdgePart>& parts() const { return parts_; }
 
@@ -49,7 +51,7 @@ class EdgeParts {
   [[nodiscard]] Vec3 direction(const EdgePart& part) const;
 
   const Mesh& mesh_;
-  std::vector<std::uint32_t> number_;  // [vertex]
+  MeshSides sides_;
   std::vector<EdgePart> parts_;
 };
 

@@ -45,7 +45,7 @@ struct GlintingFaces {
 [[nodiscard]] bool reflects_coherently(const Scene& scene, const Instance& instance, std::size_t slot);
 
 /// Finds the coherent faces of a scene, and marks their triangles in `left_out`.
-[[nodiscard]] GlintingFaces find_glinting_faces(const Scene& scene, LeftOut& left_out);
+[[nodiscard]] GlintingFaces find_glinting_faces(const Scene& scene, LeftOut& left_out, Workers& workers);
 
 /// Echo intensity of a plane rectangle with |R| = 1, relative to the source's at 1 m: Kirchhoff's integral in Fresnel's
 /// approximation about the point nearest to the sonar (docs/concepts/scattering.md, "Glints of plane faces").

@@ -1,38 +1,20 @@
-// find_corners.cpp -- tests all triples of perpendicular mirrors that touch, and measures the octants around their
-// common point.
+// find_corners.cpp -- measures the octants around the common point of three perpendicular mirrors.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <span>
 #include <utility>
 
 #include "echo/targets/corners.h"
+#include "echo/targets/mirror_crossings.h"
+#include "echo/targets/mirror_tree.h"
 
 namespace insonify {
 namespace {
 
 constexpr double kMargin = 1e-5;  // Enlarges triangles on each side, so that rays along a shared side hit one [m].
-
-// Three perpendicular mirrors: their common point, and axes along their common edges. Mirror k is perpendicular to axis
-// k.
-struct Crossing {
-  Vec3 apex;
-  Eigen::Matrix3d axes;
-  std::array<const PlaneMirror*, 3> mirrors;
-};
-
-bool perpendicular(const PlaneMirror& a, const PlaneMirror& b) {
-  return std::abs(a.normal.dot(b.normal)) < Corner::kPerpendicular;
-}
-
-bool touch(const PlaneMirror& a, const PlaneMirror& b) {
-  return (a.low.array() < b.high.array() + Corner::kGap).all() && (b.low.array() < a.high.array() + Corner::kGap).all();
-}
-
-bool may_reach(const PlaneMirror& mirror, const Vec3& point) {
-  return (mirror.low.array() < point.array() + Corner::kGap).all() &&
-         (point.array() < mirror.high.array() + Corner::kGap).all();
-}
 
 // Parameters at which a ray from the apex enters and leaves a triangle; first > second if it misses. All in coordinates
 // along the mirror's two axes.
@@ -55,79 +37,130 @@ std::pair<double, double> within(const std::array<Eigen::Vector2d, 3>& corners, 
   return {from, to};
 }
 
-// One quarter of a mirror around the apex, with extents as in Corner::extents.
+// One quarter of a mirror around the apex.
 class Quarter {
  public:
+  // @param here      The mirror's triangles near the apex, in order.
   // @param one, two  Unit vectors along the edges that bound it.
-  Quarter(const PlaneMirror& mirror, const Vec3& apex, const Vec3& one, const Vec3& two) {
-    const Vec3 inside = apex + Corner::kLeastEdge * (one + two);
+  Quarter(const PlaneMirror& mirror, std::uint32_t number, std::span<const std::uint32_t> here, const Vec3& apex,
+          const Vec3& one, const Vec3& two)
+      : mirror_(&mirror), number_(number), apex_(apex), one_(one), two_(two) {
     if (mirror.endless) {
-      extents_.fill(Corner::kEndless);
       surface_ = mirror.water;
       exists_ = true;
       return;
     }
-    const PlaneMirror::Triangle* here = mirror.triangle_at(inside, kMargin);
-    if (here == nullptr) {
-      return;
-    }
-    exists_ = true;
-    surface_ = here->surface;
-    normal_ = here->front ? mirror.normal : Vec3(-mirror.normal);
-    for (const PlaneMirror::Triangle& triangle : mirror.triangles) {
-      const auto flat = [&](int k) -> Eigen::Vector2d {
-        const Vec3 place = triangle.corners[k] - apex;
-        return {place.dot(one), place.dot(two)};
-      };
-      flat_.push_back({flat(0), flat(1), flat(2)});
-    }
-    for (int step = 0; step <= Corner::kSteps; ++step) {
-      // Slightly off the edges, along which triangles of the neighbouring quarters end.
-      constexpr double kOff = 1e-3;
-      const double share = std::clamp(static_cast<double>(step) / Corner::kSteps, kOff, 1 - kOff);
-      extents_[step] = static_cast<float>(extent_along({1 - share, share}));
+    const Vec3 inside = apex + Corner::kLeastEdge * (one + two);
+    for (const std::uint32_t i : here) {
+      const PlaneMirror::Triangle& triangle = mirror.triangles[i];
+      if (mirror.contains(triangle, inside, kMargin)) {
+        exists_ = true;
+        surface_ = triangle.surface;
+        normal_ = triangle.front ? mirror.normal : Vec3(-mirror.normal);
+        return;
+      }
     }
   }
 
   [[nodiscard]] bool exists() const { return exists_; }
   [[nodiscard]] SurfaceLabel surface() const { return surface_; }
   [[nodiscard]] const Vec3& normal() const { return normal_; }  // By the winding at the apex; 0 for water.
-  [[nodiscard]] const std::array<float, Corner::kSteps + 1>& extents() const { return extents_; }
 
- private:
-  // Where the mirror first ends along a ray from the apex. The ray's components add up to 1.
-  double extent_along(const Eigen::Vector2d& ray) {
-    parts_.clear();
-    for (const auto& triangle : flat_) {
-      if (const auto part = within(triangle, ray); part.first < part.second) {
-        parts_.push_back(part);
-      }
+  // Extents as in Corner::extents.
+  [[nodiscard]] std::array<float, Corner::kSteps + 1> extents(const MirrorTree& tree) const {
+    std::array<float, Corner::kSteps + 1> extents;
+    extents.fill(Corner::kEndless);
+    for (int step = 0; step <= Corner::kSteps && !mirror_->endless; ++step) {
+      // Slightly off the edges, along which triangles of the neighbouring quarters end.
+      constexpr double kOff = 1e-3;
+      const double share = std::clamp(static_cast<double>(step) / Corner::kSteps, kOff, 1 - kOff);
+      extents[step] = static_cast<float>(extent_along({1 - share, share}, tree));
     }
-    std::ranges::sort(parts_);
-    double end = 0;
-    for (const auto& [from, to] : parts_) {
-      if (from > end + Corner::kGap) {
-        break;
-      }
-      end = std::max(end, to);
-    }
-    return std::min(end, double{Corner::kEndless});
+    return extents;
   }
 
+ private:
+  // Whether a ray from the apex may meet a triangle of the mirror in a box, within a limit.
+  [[nodiscard]] bool meets(const Eigen::Vector2d& ray, double limit, const MirrorBox& box) const {
+    const Vec3 middle = box.middle(), half = box.half();
+    if (std::abs(mirror_->normal.dot(middle) - mirror_->offset) >
+        half.dot(mirror_->normal.cwiseAbs()) + kCrossingReach) {
+      return false;
+    }
+    const double u = (middle - apex_).dot(one_), reach_u = half.dot(one_.cwiseAbs());
+    const double v = (middle - apex_).dot(two_), reach_v = half.dot(two_.cwiseAbs());
+    const double enters = std::max((u - reach_u) / ray.x(), (v - reach_v) / ray.y());
+    const double leaves = std::min((u + reach_u) / ray.x(), (v + reach_v) / ray.y());
+    return enters <= std::min(leaves, limit) && leaves >= 0;
+  }
+
+  // Intervals of a ray from the apex on the mirror's triangles, in order; all that begin within the limit.
+  void find_parts(const Eigen::Vector2d& ray, double limit, const MirrorTree& tree,
+                  std::vector<std::pair<double, double>>& parts) const {
+    parts.clear();
+    tree.visit([&](const MirrorBox& box) { return meets(ray, limit, box); },
+               [&](const MirrorTree::Item& item) {
+                 if (item.mirror != number_) {
+                   return;
+                 }
+                 const auto flat = [&](int k) -> Eigen::Vector2d {
+                   const Vec3 place = mirror_->triangles[item.triangle].corners[k] - apex_;
+                   return {place.dot(one_), place.dot(two_)};
+                 };
+                 if (const auto part = within({flat(0), flat(1), flat(2)}, ray); part.first < part.second) {
+                   parts.push_back(part);
+                 }
+               });
+    std::ranges::sort(parts);
+  }
+
+  // Where the mirror first ends along a ray from the apex. The ray's components add up to 1.
+  [[nodiscard]] double extent_along(const Eigen::Vector2d& ray, const MirrorTree& tree) const {
+    std::vector<std::pair<double, double>> parts;
+    for (double limit = 1;; limit *= 16) {
+      find_parts(ray, limit, tree, parts);
+      double end = 0;
+      for (const auto& [from, to] : parts) {
+        if (from > end + Corner::kGap) {
+          break;
+        }
+        end = std::max(end, to);
+      }
+      if (end + Corner::kGap < limit || limit > double{Corner::kEndless}) {
+        return std::min(end, double{Corner::kEndless});
+      }
+    }
+  }
+
+  const PlaneMirror* mirror_;
+  std::uint32_t number_;
+  Vec3 apex_, one_, two_;
   bool exists_ = false;
   SurfaceLabel surface_ = 0;
   Vec3 normal_ = Vec3::Zero();
-  std::array<float, Corner::kSteps + 1> extents_ = {};
-  std::vector<std::array<Eigen::Vector2d, 3>> flat_;
-  std::vector<std::pair<double, double>> parts_;
 };
 
 // Adds those of the eight octants around a crossing in which all three mirrors exist.
-void add_octants(const Crossing& crossing, int instance, std::vector<Corner>& corners) {
+void add_octants(const Crossing& crossing, const std::vector<PlaneMirror>& mirrors, const MirrorTree& tree,
+                 int instance, std::vector<Corner>& corners) {
+  std::array<std::vector<std::uint32_t>, 3> here;  // Triangles near the apex.
+  const Vec3f apex = crossing.apex.cast<float>();
+  tree.visit(
+      [&](const MirrorBox& box) {
+        return box.meets({apex, apex});
+      },
+      [&](const MirrorTree::Item& item) {
+        for (int k = 0; k < 3; ++k) {
+          if (item.mirror == crossing.mirrors[k]) {
+            here[k].push_back(item.triangle);
+          }
+        }
+      });
   std::array<std::vector<Quarter>, 3> quarters;  // [mirror][signs of the two axes]
   for (int k = 0; k < 3; ++k) {
+    std::ranges::sort(here[k]);
     for (int signs = 0; signs < 4; ++signs) {
-      quarters[k].emplace_back(*crossing.mirrors[k], crossing.apex,
+      quarters[k].emplace_back(mirrors[crossing.mirrors[k]], crossing.mirrors[k], here[k], crossing.apex,
                                (signs & 1 ? -1.0 : 1.0) * crossing.axes.col((k + 1) % 3),
                                (signs & 2 ? -1.0 : 1.0) * crossing.axes.col((k + 2) % 3));
     }
@@ -136,20 +169,23 @@ void add_octants(const Crossing& crossing, int instance, std::vector<Corner>& co
     }
   }
   for (int octant = 0; octant < 8; ++octant) {
+    const auto quarter_of = [&](int k) -> const Quarter& {
+      return quarters[k][(octant >> (k + 1) % 3 & 1) + 2 * (octant >> (k + 2) % 3 & 1)];
+    };
     Corner corner{.instance = instance, .apex = crossing.apex, .from_behind = true};
     bool whole = true;
     for (int k = 0; k < 3; ++k) {
-      const double sign = octant >> k & 1 ? -1.0 : 1.0;
-      corner.axes.col(k) = sign * crossing.axes.col(k);
-      const int one = octant >> (k + 1) % 3 & 1, two = octant >> (k + 2) % 3 & 1;
-      const Quarter& quarter = quarters[k][one + 2 * two];
-      const bool above_water = crossing.mirrors[k]->endless && corner.axes.col(k).z() > 0;
+      corner.axes.col(k) = (octant >> k & 1 ? -1.0 : 1.0) * crossing.axes.col(k);
+      const Quarter& quarter = quarter_of(k);
+      const bool above_water = mirrors[crossing.mirrors[k]].endless && corner.axes.col(k).z() > 0;
       whole = whole && quarter.exists() && !above_water;
       corner.surfaces[k] = quarter.surface();
-      corner.extents[k] = quarter.extents();
       corner.from_behind = corner.from_behind && quarter.normal().dot(corner.axes.col(k)) < 0;
     }
     if (whole) {
+      for (int k = 0; k < 3; ++k) {
+        corner.extents[k] = quarter_of(k).extents(tree);
+      }
       corners.push_back(corner);
     }
   }
@@ -168,36 +204,16 @@ double size_of(const Corner& corner) {
   return size;
 }
 
-void add_corners(const std::vector<PlaneMirror>& mirrors, int instance, std::vector<Corner>& all) {
+void add_corners(const std::vector<PlaneMirror>& mirrors, int instance, Workers& workers, std::vector<Corner>& all) {
+  const MirrorTree tree(mirrors, kMargin, kCrossingReach);
+  const std::vector<Crossing> crossings = find_crossings(mirrors, tree, workers);
+  std::vector<std::vector<Corner>> found(crossings.size());
+  workers.for_each(static_cast<int>(crossings.size()),
+                   [&](int i, int) { add_octants(crossings[i], mirrors, tree, instance, found[i]); });
   std::vector<Corner> corners;
-  std::vector<std::vector<std::size_t>> beside(
-      mirrors.size());  // [mirror] Mirrors of higher index, perpendicular to it and touching.
-  for (std::size_t i = 0; i < mirrors.size(); ++i) {
-    for (std::size_t j = i + 1; j < mirrors.size(); ++j) {
-      if (perpendicular(mirrors[i], mirrors[j]) && touch(mirrors[i], mirrors[j])) {
-        beside[i].push_back(j);
-      }
-    }
-  }
-  for (std::size_t i = 0; i < mirrors.size(); ++i) {
-    for (const std::size_t j : beside[i]) {
-      for (const std::size_t k : beside[j]) {
-        if (!std::ranges::binary_search(beside[i], k)) {
-          continue;
-        }
-        const PlaneMirror &a = mirrors[i], &b = mirrors[j], &c = mirrors[k];
-        Eigen::Matrix3d normals;
-        normals << a.normal.transpose(), b.normal.transpose(), c.normal.transpose();
-        const Vec3 apex = normals.inverse() * Vec3(a.offset, b.offset, c.offset);
-        if (!may_reach(a, apex) || !may_reach(b, apex) || !may_reach(c, apex)) {
-          continue;
-        }
-        const Vec3 second = (b.normal - b.normal.dot(a.normal) * a.normal).normalized();
-        Eigen::Matrix3d axes;
-        axes << a.normal, second, a.normal.cross(second);
-        add_octants({apex, axes, {&a, &b, &c}}, instance, corners);
-      }
-    }
+  for (std::vector<Corner>& some : found) {
+    corners.insert(corners.end(), some.begin(), some.end());
+    std::vector<Corner>().swap(some);
   }
   std::ranges::stable_sort(corners, [](const Corner& a, const Corner& b) {
     return std::pair(!a.from_behind, size_of(a)) > std::pair(!b.from_behind, size_of(b));
@@ -220,17 +236,17 @@ PlaneMirror mirror_of(const WaterMirror& water) {
 }  // namespace
 
 std::vector<Corner> find_corners(const Scene& scene, const std::vector<PlaneMirror>& still,
-                                 const std::optional<WaterMirror>& water) {
+                                 const std::optional<WaterMirror>& water, Workers& workers) {
   std::vector<Corner> corners;
   std::vector<PlaneMirror> mirrors = still;
   if (water) {
     mirrors.push_back(mirror_of(*water));
   }
-  add_corners(mirrors, -1, corners);
+  add_corners(mirrors, -1, workers, corners);
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const Instance& instance = scene.instances[i];
     if (instance.moving && instance.present && !instance.endless) {
-      add_corners(find_plane_mirrors(scene, static_cast<int>(i)), static_cast<int>(i), corners);
+      add_corners(find_plane_mirrors(scene, static_cast<int>(i), workers), static_cast<int>(i), workers, corners);
     }
   }
   return corners;

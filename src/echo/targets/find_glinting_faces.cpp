@@ -39,7 +39,7 @@ bool reflects_coherently(const Scene& scene, const Instance& instance, std::size
   return !has_relief && scene.materials[instance.materials[slot]].rms_height > 0;
 }
 
-GlintingFaces find_glinting_faces(const Scene& scene, LeftOut& left_out) {
+GlintingFaces find_glinting_faces(const Scene& scene, LeftOut& left_out, Workers& workers) {
   GlintingFaces found;
   found.of_mesh.resize(scene.instances.size());
   left_out.glinting.assign(scene.instances.size(), {});
@@ -53,7 +53,7 @@ GlintingFaces find_glinting_faces(const Scene& scene, LeftOut& left_out) {
     if (!instance.present || instance.endless || !any) {
       continue;
     }
-    const std::shared_ptr<const MeshFaces> faces = find_faces(mesh);
+    const std::shared_ptr<const MeshFaces> faces = shared_faces(instance.mesh, workers);
     std::vector<std::uint8_t> taken(faces->faces.size(), 0);
     std::vector<std::uint8_t> glinting(mesh.triangles.size(), 0);
     GlintingFaces::Group group;

@@ -82,11 +82,13 @@ std::vector<std::uint8_t> coherent_triangles(const Scene& scene, const Instance&
 }
 
 // Adds the edges of one instance.
-void add_edges(const Scene& scene, int index, const GlintingFaces& faces, std::vector<PlacedEdge>& edges) {
+void add_edges(const Scene& scene, int index, const GlintingFaces& faces, Workers& workers,
+               std::vector<PlacedEdge>& edges) {
   const Instance& instance = scene.instances[index];
   const Mesh& mesh = *instance.mesh;
   const MeshFaces& of_mesh = *faces.of_mesh[index];
-  const EdgeParts found(mesh, of_mesh, coherent_triangles(scene, instance, of_mesh), StraightEdges::kLeastTurn);
+  const EdgeParts found(mesh, of_mesh, coherent_triangles(scene, instance, of_mesh), StraightEdges::kLeastTurn,
+                        workers);
   const std::vector<EdgePart>& parts = found.parts();
   const std::map<std::uint32_t, std::size_t> numbers = numbers_of(faces, index);
   std::map<std::uint32_t, std::vector<std::uint32_t>> chains;
@@ -246,11 +248,11 @@ std::size_t StraightEdges::most_of_a_group() const {
   return most;
 }
 
-StraightEdges find_straight_edges(const Scene& scene, const GlintingFaces& faces, Engine& engine) {
+StraightEdges find_straight_edges(const Scene& scene, const GlintingFaces& faces, Engine& engine, Workers& workers) {
   std::vector<PlacedEdge> edges;
   for (std::size_t i = 0; i < faces.of_mesh.size(); ++i) {
     if (faces.of_mesh[i] && !faces.of_mesh[i]->faces.empty()) {
-      add_edges(scene, static_cast<int>(i), faces, edges);
+      add_edges(scene, static_cast<int>(i), faces, workers, edges);
     }
   }
   const auto half = [](const PlacedEdge& edge) { return edge.second.half; };

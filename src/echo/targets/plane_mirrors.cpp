@@ -3,10 +3,13 @@
 #include "echo/targets/plane_mirrors.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
-#include <unordered_map>
+#include <tuple>
+#include <utility>
 
+#include "base/parallel_blocks.h"
 #include "echo/mirror/faces.h"
 
 namespace insonify {
@@ -17,43 +20,91 @@ constexpr double kSameDirection = 1e-3;  // Largest angle between normals of one
 // Normals are flipped to this side. No plane of a real scene contains this direction.
 const Vec3 kTowards(0.2672612419, 0.5345224838, 0.8017837257);
 
+constexpr std::uint32_t kNone = 0xffffffff;
+
 struct FlatTriangle {
-  PlaneMirror::Triangle triangle;
-  Vec3 normal;
-  double area;
+  std::uint32_t instance, triangle;
+  float area;
 };
 
-void add_flat_triangles(const Instance& instance, int index, const Pose& frame, std::vector<FlatTriangle>& flat) {
+// A flat triangle in the frame of the mirrors.
+struct PlacedTriangle {
+  PlaneMirror::Triangle triangle;
+  Vec3 normal;
+};
+
+void add_flat_triangles(const Instance& instance, std::uint32_t index, Workers& workers,
+                        std::vector<FlatTriangle>& flat) {
   const Mesh& mesh = *instance.mesh;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto& vertices = mesh.triangles[t];
-    const Vec3f area = 0.5F * (mesh.vertices[vertices[1]] - mesh.vertices[vertices[0]])
-                                  .cross(mesh.vertices[vertices[2]] - mesh.vertices[vertices[0]]);
-    const float size = area.norm();
-    const std::size_t slot = mesh.slot_of(t);
-    const bool relief = slot < instance.reliefs.size() && instance.reliefs[slot] != nullptr;
-    if (!(size > 0) || relief || !is_flat(mesh, t, area / size)) {
-      continue;
+  std::vector<float> sizes(mesh.triangles.size(), 0);  // 0 where they are not flat.
+  for_each_block(workers, sizes.size(), 1 << 14, [&](std::size_t first, std::size_t last) {
+    for (std::size_t t = first; t < last; ++t) {
+      const auto& vertices = mesh.triangles[t];
+      const Vec3f area = 0.5F * (mesh.vertices[vertices[1]] - mesh.vertices[vertices[0]])
+                                    .cross(mesh.vertices[vertices[2]] - mesh.vertices[vertices[0]]);
+      const float size = area.norm();
+      const std::size_t slot = mesh.slot_of(t);
+      const bool relief = slot < instance.reliefs.size() && instance.reliefs[slot] != nullptr;
+      sizes[t] = size > 0 && !relief && is_flat(mesh, t, area / size) ? size : 0;
     }
-    FlatTriangle one;
-    for (int k = 0; k < 3; ++k) {
-      one.triangle.corners[k] = frame * mesh.vertices[vertices[k]].cast<double>().eval();
+  });
+  for (std::uint32_t t = 0; t < sizes.size(); ++t) {
+    if (sizes[t] > 0) {
+      flat.push_back({index, t, sizes[t]});
     }
-    const auto& [a, b, c] = one.triangle.corners;
-    one.normal = (b - a).cross(c - a).normalized();
-    one.triangle.front = one.normal.dot(kTowards) > 0;
-    one.normal *= one.triangle.front ? 1 : -1;
-    one.triangle.surface = surface_label(static_cast<std::uint16_t>(index), instance.materials[slot]);
-    one.area = double{size};
-    flat.push_back(one);
   }
 }
 
-// Hash table of planes by normal and offset, which finds planes within the tolerances.
+PlacedTriangle placed(const Scene& scene, const FlatTriangle& one, bool in_world) {
+  const Instance& instance = scene.instances[one.instance];
+  const Pose frame = in_world ? instance.world_from_mesh : Pose{};
+  PlacedTriangle placed;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3f& vertex = instance.mesh->vertices[instance.mesh->triangles[one.triangle][k]];
+    placed.triangle.corners[k] = frame * vertex.cast<double>().eval();
+  }
+  const auto& [a, b, c] = placed.triangle.corners;
+  placed.normal = (b - a).cross(c - a).normalized();
+  placed.triangle.front = placed.normal.dot(kTowards) > 0;
+  placed.normal *= placed.triangle.front ? 1 : -1;
+  placed.triangle.surface =
+      surface_label(static_cast<std::uint16_t>(one.instance), instance.materials[instance.mesh->slot_of(one.triangle)]);
+  return placed;
+}
+
+// Planes in a hash table by normal and offset, which finds those within the tolerances.
 class PlaneTable {
  public:
-  // Index of the mirror in whose plane a triangle lies; -1 if there is none yet.
-  [[nodiscard]] int find(const FlatTriangle& one, const std::vector<PlaneMirror>& mirrors) const {
+  struct Plane {
+    Vec3 normal;
+    double offset, area;
+    std::uint64_t key;
+    std::uint32_t next, triangles;  // The plane that was added before at the same head; number of triangles.
+  };
+
+  explicit PlaneTable(std::size_t most) : heads_(std::bit_ceil(most + 1), kNone) {}
+
+  // Adds a triangle to the plane in which it lies, or to a new one; returns the plane's number.
+  std::uint32_t add(const PlacedTriangle& one, float area) {
+    std::uint32_t plane = find(one);
+    if (plane == kNone) {
+      plane = static_cast<std::uint32_t>(planes_.size());
+      const double offset = one.normal.dot(one.triangle.corners[0]);
+      const std::uint64_t key = key_of(place_of(one.normal, offset));
+      planes_.push_back({one.normal, offset, 0, key, std::exchange(head_of(key), plane), 0});
+    }
+    planes_[plane].area += double{area};
+    ++planes_[plane].triangles;
+    return plane;
+  }
+
+  [[nodiscard]] const std::vector<Plane>& planes() const { return planes_; }
+
+ private:
+  // Width of a cell in tolerances, and its inverse.
+  static constexpr double kWide = 8, kNear = 1 / kWide;
+
+  [[nodiscard]] std::uint32_t find(const PlacedTriangle& one) {
     const std::array<double, 4> place = place_of(one.normal, one.normal.dot(one.triangle.corners[0]));
     for (int choice = 0; choice < 16; ++choice) {
       std::array<double, 4> near = place;
@@ -65,27 +116,22 @@ class PlaneTable {
       if (!is_new) {
         continue;
       }
-      const auto [first, last] = cells_.equal_range(key_of(near));
-      for (auto cell = first; cell != last; ++cell) {
-        const PlaneMirror& mirror = mirrors[cell->second];
-        const bool flush = std::ranges::all_of(one.triangle.corners, [&](const Vec3& corner) {
-          return std::abs(mirror.normal.dot(corner) - mirror.offset) < PlaneMirror::kFlush;
-        });
-        if (flush && mirror.normal.cross(one.normal).norm() < kSameDirection) {
-          return static_cast<int>(cell->second);
+      const std::uint64_t key = key_of(near);
+      for (std::uint32_t i = head_of(key); i != kNone; i = planes_[i].next) {
+        if (planes_[i].key == key && holds(planes_[i], one)) {
+          return i;
         }
       }
     }
-    return -1;
+    return kNone;
   }
 
-  void add(const PlaneMirror& mirror, std::size_t index) {
-    cells_.emplace(key_of(place_of(mirror.normal, mirror.offset)), index);
+  static bool holds(const Plane& plane, const PlacedTriangle& one) {
+    const bool flush = std::ranges::all_of(one.triangle.corners, [&](const Vec3& corner) {
+      return std::abs(plane.normal.dot(corner) - plane.offset) < PlaneMirror::kFlush;
+    });
+    return flush && plane.normal.cross(one.normal).norm() < kSameDirection;
   }
-
- private:
-  // Width of a cell in tolerances, and its inverse.
-  static constexpr double kWide = 8, kNear = 1 / kWide;
 
   static std::array<double, 4> place_of(const Vec3& normal, double offset) {
     const Vec3 place = normal / (kWide * kSameDirection);
@@ -99,66 +145,89 @@ class PlaneTable {
     return key;
   }
 
-  std::unordered_multimap<std::uint64_t, std::size_t> cells_;
+  [[nodiscard]] std::uint32_t& head_of(std::uint64_t key) {
+    return heads_[(key ^ key >> 32) * 0x9e3779b97f4a7c15U >> 32 & (heads_.size() - 1)];
+  }
+
+  std::vector<std::uint32_t> heads_;
+  std::vector<Plane> planes_;
 };
 
-void add_to(PlaneMirror& mirror, const FlatTriangle& one) {
-  for (const Vec3& corner : one.triangle.corners) {
-    mirror.low = mirror.low.cwiseMin(corner);
-    mirror.high = mirror.high.cwiseMax(corner);
+// The planes that become mirrors, largest first.
+std::vector<std::uint32_t> largest(const std::vector<PlaneTable::Plane>& planes) {
+  std::vector<std::uint32_t> chosen;
+  for (std::uint32_t i = 0; i < planes.size(); ++i) {
+    if (planes[i].area >= PlaneMirror::kLeastArea) {
+      chosen.push_back(i);
+    }
   }
-  mirror.area += one.area;
-  mirror.triangles.push_back(one.triangle);
+  std::ranges::stable_sort(chosen, std::greater<>(), [&](std::uint32_t i) { return planes[i].area; });
+  chosen.resize(std::min(chosen.size(), PlaneMirror::kMostMirrors));
+  return chosen;
 }
 
 }  // namespace
 
-const PlaneMirror::Triangle* PlaneMirror::triangle_at(const Vec3& point, double margin) const {
-  for (const Triangle& triangle : triangles) {
-    const Vec3 out = triangle.front ? normal : Vec3(-normal);
-    bool inside = true;
-    for (int k = 0; inside && k < 3; ++k) {
-      const Vec3 side = triangle.corners[(k + 1) % 3] - triangle.corners[k];
-      inside = out.dot(side.cross(point - triangle.corners[k])) > -margin * side.norm();
-    }
-    if (inside) {
-      return &triangle;
+bool PlaneMirror::contains(const Triangle& triangle, const Vec3& point, double margin) const {
+  const Vec3 out = triangle.front ? normal : Vec3(-normal);
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 side = triangle.corners[(k + 1) % 3] - triangle.corners[k];
+    if (!(out.dot(side.cross(point - triangle.corners[k])) > -margin * side.norm())) {
+      return false;
     }
   }
-  return nullptr;
+  return true;
 }
 
-std::vector<PlaneMirror> find_plane_mirrors(const Scene& scene, int instance) {
+const PlaneMirror::Triangle* PlaneMirror::triangle_at(const Vec3& point, double margin) const {
+  const auto found =
+      std::ranges::find_if(triangles, [&](const Triangle& triangle) { return contains(triangle, point, margin); });
+  return found == triangles.end() ? nullptr : &*found;
+}
+
+std::vector<PlaneMirror> find_plane_mirrors(const Scene& scene, int instance, Workers& workers) {
   std::vector<FlatTriangle> flat;
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const Instance& each = scene.instances[i];
-    const auto index = static_cast<int>(i);
-    if (each.present && !each.endless && (instance < 0 ? !each.moving : index == instance)) {
-      add_flat_triangles(each, index, instance < 0 ? each.world_from_mesh : Pose{}, flat);
+    if (each.present && !each.endless && (instance < 0 ? !each.moving : static_cast<int>(i) == instance)) {
+      add_flat_triangles(each, static_cast<std::uint32_t>(i), workers, flat);
     }
   }
   // A plane takes the normal of its largest triangle, which is the most accurate.
-  std::ranges::stable_sort(flat, std::greater<>(), &FlatTriangle::area);
-  std::vector<PlaneMirror> mirrors;
-  PlaneTable table;
+  parallel_sort(workers, flat, [](const FlatTriangle& a, const FlatTriangle& b) {
+    return std::tuple(-a.area, a.instance, a.triangle) < std::tuple(-b.area, b.instance, b.triangle);
+  });
+  PlaneTable table(flat.size());
+  std::vector<std::uint32_t> plane_of;  // [flat triangle]
+  plane_of.reserve(flat.size());
   for (const FlatTriangle& one : flat) {
-    const int found = table.find(one, mirrors);
-    if (found >= 0) {
-      add_to(mirrors[found], one);
-      continue;
-    }
-    PlaneMirror mirror;
-    mirror.normal = one.normal;
-    mirror.offset = one.normal.dot(one.triangle.corners[0]);
-    mirror.low = mirror.high = one.triangle.corners[0];
-    add_to(mirror, one);
-    table.add(mirror, mirrors.size());
-    mirrors.push_back(std::move(mirror));
+    plane_of.push_back(table.add(placed(scene, one, instance < 0), one.area));
   }
-  std::erase_if(mirrors, [](const PlaneMirror& mirror) { return mirror.area < PlaneMirror::kLeastArea; });
-  std::ranges::stable_sort(mirrors, std::greater<>(), &PlaneMirror::area);
-  if (mirrors.size() > PlaneMirror::kMostMirrors) {
-    mirrors.resize(PlaneMirror::kMostMirrors);
+  const std::vector<PlaneTable::Plane>& planes = table.planes();
+  const std::vector<std::uint32_t> chosen = largest(planes);
+  std::vector<std::uint32_t> mirror_of(planes.size(), kNone);
+  std::vector<PlaneMirror> mirrors(chosen.size());
+  for (std::uint32_t i = 0; i < chosen.size(); ++i) {
+    const PlaneTable::Plane& plane = planes[chosen[i]];
+    mirror_of[chosen[i]] = i;
+    mirrors[i].normal = plane.normal;
+    mirrors[i].offset = plane.offset;
+    mirrors[i].area = plane.area;
+    mirrors[i].triangles.reserve(plane.triangles);
+  }
+  for (std::size_t i = 0; i < flat.size(); ++i) {
+    if (mirror_of[plane_of[i]] != kNone) {
+      PlaneMirror& mirror = mirrors[mirror_of[plane_of[i]]];
+      mirror.triangles.push_back(placed(scene, flat[i], instance < 0).triangle);
+      const auto& corners = mirror.triangles.back().corners;
+      if (mirror.triangles.size() == 1) {
+        mirror.low = mirror.high = corners[0];
+      }
+      for (const Vec3& corner : corners) {
+        mirror.low = mirror.low.cwiseMin(corner);
+        mirror.high = mirror.high.cwiseMax(corner);
+      }
+    }
   }
   return mirrors;
 }

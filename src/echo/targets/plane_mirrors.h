@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/parallel.h"
 #include "echo/grid/echo.h"
 #include "insonify/scene.h"
 
@@ -38,13 +39,16 @@ struct PlaneMirror {
   SurfaceLabel water = 0;                        ///< Label of the water's surface.
   std::vector<Triangle> triangles;
 
-  /// The triangle that contains a point of the plane, enlarged by `margin` [m]; null if none does.
+  /// Whether a triangle, enlarged by `margin` [m], contains a point of the plane.
+  [[nodiscard]] bool contains(const Triangle& triangle, const Vec3& point, double margin) const;
+
+  /// The first triangle that contains a point of the plane; null if none does.
   [[nodiscard]] const Triangle* triangle_at(const Vec3& point, double margin) const;
 };
 
 /// Finds the mirrors of all static instances, in the world frame, or of one instance, in its mesh frame; largest first.
 /// Triangles of curved surfaces, triangles with relief and endless instances are left out.
 /// @param instance  -1 for all static instances.
-[[nodiscard]] std::vector<PlaneMirror> find_plane_mirrors(const Scene& scene, int instance);
+[[nodiscard]] std::vector<PlaneMirror> find_plane_mirrors(const Scene& scene, int instance, Workers& workers);
 
 }  // namespace insonify

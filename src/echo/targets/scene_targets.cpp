@@ -4,8 +4,8 @@
 
 namespace insonify {
 
-SceneTargets find_targets(const Scene& scene, const std::optional<WaterMirror>& water, Engine& engine,
-                          Workers& workers) {
+SceneTargets find_targets(const Scene& scene, const std::optional<WaterMirror>& water, const WantedTargets& wanted,
+                          Engine& engine, Workers& workers) {
   std::unique_ptr<Engine> faster;
   if (engine.kind().brute_force) {
     faster = make_engine("cpu", workers);
@@ -14,15 +14,24 @@ SceneTargets find_targets(const Scene& scene, const std::optional<WaterMirror>& 
   Engine& probe = faster ? *faster : engine;
   ThinParts thin = find_thin_parts(scene, probe);
   LeftOut left_out = thin.triangles ? *thin.triangles : LeftOut{};
-  GlintingFaces faces = find_glinting_faces(scene, left_out);
+  GlintingFaces faces = find_glinting_faces(scene, left_out, workers);
   SceneTargets targets;
-  targets.edges = std::make_shared<const StraightEdges>(find_straight_edges(scene, faces, probe));
+  targets.edges = std::make_shared<const StraightEdges>(find_straight_edges(scene, faces, probe, workers));
   const bool any = thin.triangles || faces.any();
   engine.leave_out(any ? std::make_shared<const LeftOut>(std::move(left_out)) : nullptr);
   targets.faces = std::make_shared<const GlintingFaces>(std::move(faces));
   targets.thin_parts = std::make_shared<const ThinParts>(std::move(thin));
-  targets.mirrors = std::make_shared<const std::vector<PlaneMirror>>(find_plane_mirrors(scene, -1));
-  targets.corners = std::make_shared<const std::vector<Corner>>(find_corners(scene, *targets.mirrors, water));
+  std::vector<PlaneMirror> mirrors;
+  if (wanted.mirrors || wanted.corners) {
+    mirrors = find_plane_mirrors(scene, -1, workers);
+  }
+  targets.corners = std::make_shared<const std::vector<Corner>>(
+      wanted.corners ? find_corners(scene, mirrors, water, workers) : std::vector<Corner>());
+  if (!wanted.mirrors) {
+    mirrors.clear();
+    mirrors.shrink_to_fit();
+  }
+  targets.mirrors = std::make_shared<const std::vector<PlaneMirror>>(std::move(mirrors));
   return targets;
 }
 

@@ -25,10 +25,17 @@ struct SceneTargets {
   std::shared_ptr<const std::vector<Corner>> corners;
 };
 
+/// Which targets a scenario's sources use; others are not looked for.
+struct WantedTargets {
+  bool mirrors = true;
+  bool corners = true;
+};
+
 /// Finds the targets of a scene, and has the engine leave out their echoes from those of the samples.
 /// @param engine  Has the scene.
 /// @param water   The water's surface; absent where there is none.
-[[nodiscard]] SceneTargets find_targets(const Scene& scene, const std::optional<WaterMirror>& water, Engine& engine,
-                                        Workers& workers);
+/// @param wanted  Lists of other targets are empty.
+[[nodiscard]] SceneTargets find_targets(const Scene& scene, const std::optional<WaterMirror>& water,
+                                        const WantedTargets& wanted, Engine& engine, Workers& workers);
 
 }  // namespace insonify

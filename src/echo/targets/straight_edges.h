@@ -67,6 +67,7 @@ struct StraightEdges {
 /// Finds the edges of a scene. Edges that something else touches are left out, such as those of a box on a floor, or of
 /// parts of a body that touch without common vertices.
 /// @param engine  Has the scene; its rays test whether edges are free.
-[[nodiscard]] StraightEdges find_straight_edges(const Scene& scene, const GlintingFaces& faces, Engine& engine);
+[[nodiscard]] StraightEdges find_straight_edges(const Scene& scene, const GlintingFaces& faces, Engine& engine,
+                                                Workers& workers);
 
 }  // namespace insonify

@@ -1,0 +1,76 @@
+// mirror_tree.h -- the triangles of plane mirrors in a hierarchy of boxes, to find those near a place or along a line.
+
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "echo/targets/plane_mirrors.h"
+
+namespace insonify {
+
+/// An axis-aligned box [m].
+struct MirrorBox {
+  Vec3f low, high;
+
+  [[nodiscard]] bool meets(const MirrorBox& other) const {
+    return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
+  }
+  [[nodiscard]] Vec3 middle() const { return 0.5 * (low.cast<double>() + high.cast<double>()); }
+  [[nodiscard]] Vec3 half() const { return 0.5 * (high.cast<double>() - low.cast<double>()); }
+};
+
+/// Boxes around the triangles of mirrors, halved again and again by their middles.
+class MirrorTree {
+ public:
+  struct Item {
+    MirrorBox box;  ///< Of the triangle, enlarged.
+    std::uint32_t mirror, triangle;
+  };
+
+  /// @param margin  Triangles are enlarged by it on each side in their plane, see PlaneMirror::contains() [m].
+  /// @param reach   Boxes are enlarged by it besides [m].
+  MirrorTree(std::span<const PlaneMirror> mirrors, double margin, double reach);
+
+  [[nodiscard]] std::span<const Item> items() const { return items_; }
+
+  /// Calls visit(item) for the items for whose box and all boxes around it meets(box) is true.
+  template <typename Meets, typename Visit>
+  void visit(const Meets& meets, const Visit& visit) const {
+    if (!nodes_.empty()) {
+      descend(0, meets, visit);
+    }
+  }
+
+ private:
+  struct Node {
+    MirrorBox box;
+    std::uint32_t first, last;  // Its items.
+    std::uint32_t second;       // Its second child; the first follows it. 0: none.
+  };
+  void divide(std::uint32_t first, std::uint32_t last);
+
+  template <typename Meets, typename Visit>
+  void descend(std::uint32_t number, const Meets& meets, const Visit& visit) const {
+    const Node& node = nodes_[number];
+    if (!meets(node.box)) {
+      return;
+    }
+    if (node.second != 0) {
+      descend(number + 1, meets, visit);
+      descend(node.second, meets, visit);
+      return;
+    }
+    for (std::uint32_t i = node.first; i < node.last; ++i) {
+      if (meets(items_[i].box)) {
+        visit(items_[i]);
+      }
+    }
+  }
+
+  std::vector<Item> items_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace insonify
