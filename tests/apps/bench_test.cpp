@@ -114,6 +114,31 @@ TEST_F(BenchTest, SamplingIsOfTheCalibratedModel) {
             "insonify: paper.yaml: has model: paper; bench sampling takes scenarios of the calibrated model\n");
 }
 
+TEST_F(BenchTest, GrowthHasAnExponentBetweenRows) {
+  ASSERT_EQ(
+      shell("insonify bench growth --divided-by 50 --doublings 1 --repetitions 1 --threads 1 --json rows.json").status,
+      0);
+  const json rows = json::parse(text_of("rows.json"));
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const json& row = rows[i];
+    EXPECT_GT(row.at("ping_ms").get<double>(), 0);
+    EXPECT_GE(row.at("setup_ms").get<double>(), 0);
+    if (names.empty() || names.back() != row.at("grows")) {
+      names.push_back(row.at("grows"));
+      EXPECT_FALSE(row.contains("ping_exponent"));
+      continue;
+    }
+    EXPECT_EQ(row.at("size").get<int>(), 2 * rows[i - 1].at("size").get<int>());
+    const double ratio = row.at("ping_ms").get<double>() / rows[i - 1].at("ping_ms").get<double>();
+    EXPECT_NEAR(row.at("ping_exponent").get<double>(), std::log2(ratio), 1e-9);
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"beams", "focus", "bins", "range", "surfaces", "triangles", "faces",
+                                             "instances"}));
+  EXPECT_EQ(rows.size(), 2 * names.size());
+  EXPECT_THAT(shell("insonify bench growth depth").err, testing::HasSubstr("depth"));
+}
+
 TEST_F(BenchTest, RowsThatCannotBeWrittenAreAnError) {
   const Outcome outcome = shell("insonify bench primary --triangles 300 --repetitions 1 --json none/rows.json");
   EXPECT_EQ(outcome.status, 1);

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 #include <vector>
 
 #include "insonify/sonar_config.h"
@@ -55,5 +56,20 @@ struct SamplingBenchOptions {
 
 /// insonify bench sampling: prints the sampling error of pings beside their computing times.
 int bench_sampling(const SamplingBenchOptions& options);
+
+struct GrowthBenchOptions {
+  std::vector<std::string> grows;  ///< Of growth_names(); empty: all.
+  int doublings = 3;               ///< Rows of each after the first.
+  int divided_by = 1;              ///< Divides the sizes of the first rows.
+  int repetitions = 3;             ///< Simulators of each row, and timed pings of each of them.
+  int threads = 2;
+  std::filesystem::path json;  ///< Also write the rows to this file; empty for none.
+};
+
+/// insonify bench growth: times set-up and ping while one quantity of a scenario grows, with local exponents.
+int bench_growth(const GrowthBenchOptions& options);
+
+/// What bench_growth() can let grow.
+[[nodiscard]] std::vector<std::string> growth_names();
 
 }  // namespace insonify

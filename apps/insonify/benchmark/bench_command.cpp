@@ -100,6 +100,23 @@ void add_sampling_bench(const Command& bench) {
   });
 }
 
+void add_growth_bench(const Command& bench) {
+  const Command command = bench.add("growth", "How set-up and ping grow with each quantity of a scenario");
+  auto& options = command.keep<GrowthBenchOptions>();
+  command.option("WHAT", "NAME ...", &options.grows,
+                 fmt::format("What grows: {} [all]", fmt::join(growth_names(), ", ")), one_of(growth_names()));
+  command.option("--doublings", "N", &options.doublings, "Rows of each, each twice as large as the last [3]",
+                 whole_number(1, 10));
+  command.option("--divided-by", "N", &options.divided_by, "Divides the sizes of the first rows, for a quick look [1]",
+                 whole_number(1, 1000));
+  command.option("--repetitions", "N", &options.repetitions, "Set-ups and pings of each row [3]",
+                 whole_number(1, 1'000));
+  command.option("--threads", "N", &options.threads, "Worker threads [2]", whole_number(1, 1024));
+  command.option("--json", "FILE", &options.json, kJson);
+  command.footer("Example:\n  insonify bench growth beams focus --doublings 4 --json rows.json");
+  command.act([&options] { return bench_growth(options); });
+}
+
 }  // namespace
 
 void add_bench(const Command& program) {
@@ -115,6 +132,7 @@ void add_bench(const Command& program) {
   add_bench_of_scenes(bench, "changes", "Sonars and objects that change while a simulator runs",
                       "--triangles 1000 100000", false, bench_changes);
   add_sampling_bench(bench);
+  add_growth_bench(bench);
 }
 
 }  // namespace insonify
