@@ -12,6 +12,7 @@ namespace insonify {
 namespace {
 
 constexpr int kBinsPerTask = 64;
+constexpr int kDefocusedBins = 16;  // Of a task out of focus: near bins, with their own gains, take the longest.
 
 // energy += volume x unblocked
 INSONIFY_VECTOR_CLONES
@@ -143,8 +144,9 @@ void CalibratedReceiver::form_beams(const EchoGrid& grid, Workers& workers) {
   for (int cell = 0; cell < cells_; ++cell) {
     received = received | received_bins(grid, cell);
   }
-  workers.for_each((bins_ + kBinsPerTask - 1) / kBinsPerTask, [&](int task, int) {
-    const BinRange bins{task * kBinsPerTask, std::min((task + 1) * kBinsPerTask, bins_)};
+  const int per_task = bearing_->defocused() != nullptr ? kDefocusedBins : kBinsPerTask;
+  workers.for_each((bins_ + per_task - 1) / per_task, [&](int task, int) {
+    const BinRange bins{task * per_task, std::min((task + 1) * per_task, bins_)};
     if (!of_cells_.field.empty()) {
       bearing_->receive_field(of_cells_.field, of_beams_.field, bins_, bins, received);
     }

@@ -191,7 +191,8 @@ void BearingResponse::set_block(const Focus& focus, int block, int first_beam, b
 // @param energy  Whether `energy` of the gains is used, or else the other two.
 template <typename Receive>
 void BearingResponse::for_each_part(BinRange bins, bool energy, const Receive& receive) const {
-  constexpr int kTogether = 4 * GainMatrix::kBlockBeams;  // Some hundred kilobytes for a thousand cells.
+  constexpr int kMostGains = 1 << 18;  // A megabyte. A product packs its cells once for all of its beams.
+  const int blocks = std::max(1, kMostGains / (GainMatrix::kBlockBeams * cell_count()));
   thread_local Scratch some;
   int first = bins.first;
   for (const Focus& focus : focuses_) {
@@ -205,8 +206,8 @@ void BearingResponse::for_each_part(BinRange bins, bool energy, const Receive& r
       receive(in_focus_, 0, part);
       continue;
     }
-    for (int beam = 0; beam < beam_count(); beam += kTogether) {
-      const int count = std::min(kTogether, beam_count() - beam);
+    for (int beam = 0; beam < beam_count(); beam += blocks * GainMatrix::kBlockBeams) {
+      const int count = std::min(blocks * GainMatrix::kBlockBeams, beam_count() - beam);
       for (GainMatrix* matrix : {&some.gains.energy, &some.gains.in_phase, &some.gains.quadrature}) {
         matrix->reshape(count, cell_count());
       }

@@ -21,8 +21,8 @@ class DefocusedTables {
  public:
   /// Tables are this far apart in edge phase [rad], relative to it above 1 rad.
   static constexpr double kPhaseStep = 0.02;
-  static constexpr double kError = 1e-3;  ///< Relative to the main lobe in focus: 0.009 dB; twice
-                                          ///< that next to where the side lobes in focus begin.
+  static constexpr double kError = 1e-3;  ///< Relative to the main lobe in focus: 0.009 dB. Where the side lobes in
+                                          ///< focus begin, it is smooth over 3 in x; ArrayPattern has a step.
 
   /// @param elements  Number of the array's elements, after which the pattern repeats, for an even number with the
   /// other

@@ -87,7 +87,7 @@ void GainMatrix::reshape(int beam_count, int cell_count) {
   beam_count_ = beam_count;
   cell_count_ = cell_count;
   const std::size_t blocks = (beam_count + kBlockBeams - 1) / kBlockBeams;
-  gains_.resize(blocks * kBlockBeams * cell_count);
+  gains_.resize(std::max(gains_.size(), blocks * kBlockBeams * cell_count));
   bands_.assign(blocks, {});
 }
 

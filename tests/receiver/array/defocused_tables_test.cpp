@@ -17,7 +17,8 @@ std::vector<double> tabulated_phases() {
   return {0.02, -0.3, std::exp(1.0), -std::exp(3.0), std::exp(5.0)};
 }
 
-// The pattern of 96 elements repeats after x = 96, out of focus too.
+// The pattern of 96 elements repeats after x = 96, out of focus too. Where the side lobes in focus begin, patterns have
+// a step, of up to their level where elements have errors.
 TEST(DefocusedTablesTest, AreThePatterns) {
   const ArraySettings settings[] = {
       {},
@@ -34,8 +35,8 @@ TEST(DefocusedTablesTest, AreThePatterns) {
         const std::complex<double> found = tables.amplitude(table, x);
         const double within = array.elements > 0 ? std::remainder(x, array.elements) : x;
         const double edge = std::abs(std::abs(within) - ArrayPattern::kExactReach - 4 * std::abs(phase));
-        ASSERT_NEAR(std::abs(found - defocused.amplitude(x)), 0, (edge < 3 ? 2 : 1) * DefocusedTables::kError)
-            << phase << " " << x;
+        const double most = edge > 3 ? DefocusedTables::kError : array.element_error > 0 ? 0.1 : 5e-3;
+        ASSERT_NEAR(std::abs(found - defocused.amplitude(x)), 0, most) << phase << " " << x;
       }
     }
   }
