@@ -31,8 +31,7 @@ address_v4 ipv4_of(const sockaddr* address) {
 
 boost::asio::ip::address address_of(const EmulateOptions& options) {
   boost::system::error_code failure;
-  auto address =
-      boost::asio::ip::make_address(options.address == "localhost" ? "127.0.0.1" : options.address, failure);
+  auto address = boost::asio::ip::make_address(options.address == "localhost" ? "127.0.0.1" : options.address, failure);
   if (failure) {
     throw InputError(fmt::format("--address {} must be an IP address, such as 127.0.0.1 or ::1, or localhost",
                                  printable(options.address)));

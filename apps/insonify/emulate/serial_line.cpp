@@ -22,7 +22,7 @@ using boost::system::error_code;
 namespace {
 
 constexpr std::size_t kMostWaitingBytes = std::size_t{16} * 1024;  // [bytes]; a message has up to 1.2 KiB.
-constexpr std::size_t kMostAtOnce = 512;              // Bytes received in one piece.
+constexpr std::size_t kMostAtOnce = 512;                           // Bytes received in one piece.
 
 [[noreturn]] void fail() {
   throw Error(fmt::format("cannot open a pseudo terminal: {}", std::strerror(errno)));
