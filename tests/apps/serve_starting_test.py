@@ -288,6 +288,7 @@ sonars: [{name: head, type: msis, beam_count: 1, azimuth_aperture_deg: 4, step_d
         again = subprocess.Popen([INSONIFY, "serve", "live.yaml", "--port", "0", "--record", "dive.h5", "--force", "--no-token",
                                   "--set", "sonars=[{name: two, max_range: 5}]"], cwd=server.path, text=True,
                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.addCleanup(again.kill)
         Socket(int(again.stdout.readline().rstrip("/\n").rsplit(":", 1)[1])).open_for_ping()
         self.assertEqual(first[0], (server.path / "dive.h5").read_bytes(), "the earlier one stays until the end")
         again.send_signal(signal.SIGINT)
