@@ -46,13 +46,16 @@ Scene scene_of_parts(const std::filesystem::path& path, const Log& log) {
 
 // COLLADA says which axis is up; like Gazebo we do not turn it. Of a part of a world its SDF file says so.
 void warn_of_up_axis(const std::filesystem::path& path, const Log& log) {
+  if (ending_of(path) != ".dae" || is_stream(path)) {
+    return;
+  }
   constexpr std::string_view kKey = "<up_axis>";
   std::string start(65536, '\0');
   std::ifstream file(path, std::ios::binary);
   file.read(start.data(), static_cast<std::streamsize>(start.size()));
   const std::size_t key = start.find(kKey);
   const std::string_view axis = key == std::string::npos ? "" : std::string_view(start).substr(key + kKey.size(), 4);
-  if (ending_of(path) == ".dae" && (axis == "Y_UP" || axis == "X_UP")) {
+  if (axis == "Y_UP" || axis == "X_UP") {
     log_line(log, Severity::kWarning,
              fmt::format("{}: says {}, which is not applied, as in Gazebo: z is up", path.string(), axis));
   }

@@ -130,6 +130,20 @@ StonefishShape StonefishShapes::model(const StonefishElement& body, bool physica
   return {shared(fmt::format("model {} {}", scale, path), body, make), stonefish_pose(given, "origin")};
 }
 
+// Where the mesh of <visual> cannot be read, that of <physical>.
+StonefishShape StonefishShapes::any_model(const StonefishElement& body, bool physical) {
+  try {
+    return model(body, physical);
+  } catch (const UnreadablePart& unreadable) {
+    if (physical || !body.child("visual") || !body.child("physical")) {
+      throw;
+    }
+    StonefishShape shape = model(body, true);
+    log_line(log_, Severity::kWarning, fmt::format("{}: the mesh of <physical> is taken", unreadable.what()));
+    return shape;
+  }
+}
+
 StonefishShape StonefishShapes::terrain(const StonefishElement& body) {
   const std::string path = found_file(body, body, "height_map");
   const double x = stonefish_length(body, "dimensions", "scalex");
@@ -146,16 +160,7 @@ std::optional<StonefishShape> StonefishShapes::shape(const StonefishElement& bod
     return std::nullopt;
   }
   if (type == "model") {
-    try {
-      return model(body, physical);
-    } catch (const UnreadablePart& unreadable) {
-      if (physical || !body.child("visual") || !body.child("physical")) {
-        throw;
-      }
-      StonefishShape shape = model(body, true);
-      log_line(log_, Severity::kWarning, fmt::format("{}: the mesh of <physical> is taken", unreadable.what()));
-      return shape;
-    }
+    return any_model(body, physical);
   }
   if (type == "terrain") {
     return terrain(body);

@@ -36,6 +36,7 @@ class StonefishShapes {
   std::shared_ptr<const Mesh> shared(const std::string& key, const StonefishElement& body,
                                      const std::function<Mesh()>& make);
   StonefishShape model(const StonefishElement& body, bool physical);
+  StonefishShape any_model(const StonefishElement& body, bool physical);
   StonefishShape terrain(const StonefishElement& body);
 
   const Log& log_;
