@@ -81,7 +81,7 @@ class BashCompletion(unittest.TestCase):
     def test_suggests_commands(self):
         self.assertEqual(bash("insonify", ""), COMMANDS)
         self.assertEqual(bash("insonify", "com"), {"compare", "completion"})
-        self.assertEqual(bash("insonify", "bench", ""), {"engine", "paper", "primary", "batch", "changes", "sampling"})
+        self.assertEqual(bash("insonify", "bench", ""), {"engine", "paper", "primary", "batch", "changes", "sampling", "growth"})
 
     def test_suggests_the_options_of_the_command(self):
         self.assertEqual(bash("insonify", "run", "--no"), {"--no-pictures", "--no-view"})
@@ -109,7 +109,7 @@ class BashCompletion(unittest.TestCase):
 class FishCompletion(unittest.TestCase):
     def test_suggests_commands_options_and_values(self):
         self.assertEqual(fish("insonify "), COMMANDS)
-        self.assertEqual(fish("insonify bench "), {"engine", "paper", "primary", "batch", "changes", "sampling"})
+        self.assertEqual(fish("insonify bench "), {"engine", "paper", "primary", "batch", "changes", "sampling", "growth"})
         self.assertEqual(fish("insonify run --no-"), {"--no-pictures", "--no-view"})
         self.assertEqual(fish("insonify run --engine "), {"cpu", "reference"})
         self.assertEqual(fish("insonify sonars tritech-micron"), {"tritech-micron-dst"})
@@ -119,7 +119,7 @@ class FishCompletion(unittest.TestCase):
 class ZshCompletion(unittest.TestCase):
     def test_suggests_commands_options_and_values(self):
         self.assertLessEqual(COMMANDS, zsh("insonify "))
-        self.assertLessEqual({"engine", "paper", "primary", "batch", "changes", "sampling"}, zsh("insonify bench "))
+        self.assertLessEqual({"engine", "paper", "primary", "batch", "changes", "sampling", "growth"}, zsh("insonify bench "))
         self.assertLessEqual({"--no-pictures", "--no-view"}, zsh("insonify run --no-"))
         self.assertLessEqual({"cpu", "reference"}, zsh("insonify run --engine "))
         self.assertLessEqual({"tritech-gemini-720i", "tritech-gemini-720is"}, zsh("insonify sonars tritech-gemini-"))
