@@ -91,7 +91,7 @@ struct Scenario {
   bool strict = false;                 ///< Whether a missing part of the world is an error; else it is skipped.
   std::vector<std::string> ignore;     ///< Objects of the world to ignore, as WorldOptions::ignore.
   bool keep_water = false;             ///< Whether the world's water is insonified, as WorldOptions::keep_water.
-  std::vector<std::string> arguments;  ///< Of a Stonefish world: "px=8", as WorldOptions::arguments.
+  std::vector<std::string> arguments;  ///< Values for a Stonefish world, "px=8", as WorldOptions::arguments.
   bool parts = false;                  ///< An instance for each part of a mesh file, as WorldOptions::parts.
   EchoModel model = EchoModel::kCalibrated;
   std::string engine = "cpu";

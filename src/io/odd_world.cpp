@@ -25,7 +25,7 @@ struct Column {
   double above = INFINITY;  // Height over the point [m].
   bool faces_up = false;    // The front of the nearest one above.
   bool has_below = false;
-  std::string name;  // Of that above.
+  std::string name;  // Name of the instance above.
 };
 
 // By the formula of Moeller and Trumbore, in the mesh's frame, where `up` is the world's z.

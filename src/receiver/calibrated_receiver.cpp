@@ -12,7 +12,8 @@ namespace insonify {
 namespace {
 
 constexpr int kBinsPerTask = 64;
-constexpr int kDefocusedBins = 16;  // Of a task out of focus: near bins, with their own gains, take the longest.
+constexpr int kLookedUpBins =
+    16;  // The same where gains are looked up: near bins, each with its own, take the longest.
 
 // energy += volume x unblocked
 INSONIFY_VECTOR_CLONES
@@ -144,7 +145,7 @@ void CalibratedReceiver::form_beams(const EchoGrid& grid, Workers& workers) {
   for (int cell = 0; cell < cells_; ++cell) {
     received = received | received_bins(grid, cell);
   }
-  const int per_task = bearing_->defocused() != nullptr ? kDefocusedBins : kBinsPerTask;
+  const int per_task = bearing_->keeps_all() ? kBinsPerTask : kLookedUpBins;
   workers.for_each((bins_ + per_task - 1) / per_task, [&](int task, int) {
     const BinRange bins{task * per_task, std::min((task + 1) * per_task, bins_)};
     if (!of_cells_.field.empty()) {
@@ -160,8 +161,7 @@ void CalibratedReceiver::form_beams(const EchoGrid& grid, Workers& workers) {
 }
 
 DiscreteEchoes CalibratedReceiver::discrete() const {
-  return {bearing_ ? &*bearing_ : nullptr, range_ ? &*range_ : nullptr, beams_, bins_,
-          coarse_ ? coarse_->discrete() : 1.0F};
+  return {bearing_.get(), range_ ? &*range_ : nullptr, beams_, bins_, coarse_ ? coarse_->discrete() : 1.0F};
 }
 
 void CalibratedReceiver::add_discrete_echoes(const EchoGrid& grid) {
@@ -246,10 +246,8 @@ void CalibratedReceiver::move(const EchoGrid& grid, const PingMotion& motion, Wo
 void CalibratedReceiver::write_truth(const EchoGrid& grid, Workers& workers, Ping& ping) {
   if (grid.ground_truth() == GroundTruth::kFull) {
     const DiscreteEchoes echoes = discrete();
-    truth_.write(
-        grid,
-        {range_ ? &*range_ : nullptr, bearing_ ? &*bearing_ : nullptr, coarse_ ? &*coarse_ : nullptr, &echoes, gain_},
-        workers, ping);
+    truth_.write(grid, {range_ ? &*range_ : nullptr, bearing_.get(), coarse_ ? &*coarse_ : nullptr, &echoes, gain_},
+                 workers, ping);
   }
   if (leak_) {
     leak_->clear_truth(ping);

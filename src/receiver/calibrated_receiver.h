@@ -4,6 +4,7 @@
 
 #include <complex>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -80,6 +81,7 @@ class CalibratedReceiver {
     std::span<const Thruster> thrusters = {};
     bool moves = false;  ///< Whether motion between transmission and reception is simulated.
     std::uint64_t seed = 1;
+    const CalibratedReceiver* like = nullptr;  ///< One made with these settings: this one shares its gains.
   };
   explicit CalibratedReceiver(const Settings& settings);
 
@@ -155,7 +157,7 @@ class CalibratedReceiver {
   std::optional<RangeResponse> range_;
   std::optional<CoarseBins> coarse_;  // With range_.
   bool keeps_looks_ = false;          // Whether intensities are transformed by CoarseBins::kept().
-  std::optional<BearingResponse> bearing_;
+  std::shared_ptr<const BearingResponse> bearing_;
   std::optional<NoiseField> noise_;
   std::optional<ThrusterNoise> thrusters_;  // With noise_.
   std::optional<ReceiverChannels> channels_;

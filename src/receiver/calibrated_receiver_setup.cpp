@@ -116,7 +116,7 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
   }
   if (settings.moves) {
     const double bias = parts.pulse.doppler_bias(doppler_shift(1, sonar.frequency, parts.true_speed));
-    shift_.emplace(settings.cells, sonar, parts.range_scale, parts.true_speed, bias, bearing_.has_value());
+    shift_.emplace(settings.cells, sonar, parts.range_scale, parts.true_speed, bias, bearing_ != nullptr);
   }
   if (receiver.speckle) {
     set_up_speckle(parts);
@@ -140,12 +140,15 @@ void CalibratedReceiver::set_up_array(SetUp& parts) {
   one_way.two_way = false;
   parts.hearing.emplace(one_way, seed_);
   parts.length = array.length(parts.wavelength, beam_width(sonar)) / parts.wavelength;
-  bearing_.emplace(
-      array, parts.length, cells.grid.sines(), parts.beam_sines, BearingResponse::kFloorDb,
-      BearingResponse::Extras{.cell_edges = cells.edge_sines,
-                              .element = FanPattern(sonar.element_width),
-                              .zones = focus_zones(sonar, parts.length, parts.wavelength, parts.range_scale),
-                              .elements = one_way.elements});
+  bearing_ =
+      parts.of.like != nullptr
+          ? parts.of.like->bearing_
+          : std::make_shared<const BearingResponse>(
+                array, parts.length, cells.grid.sines(), parts.beam_sines, BearingResponse::kFloorDb,
+                BearingResponse::Extras{.cell_edges = cells.edge_sines,
+                                        .element = FanPattern(sonar.element_width),
+                                        .zones = focus_zones(sonar, parts.length, parts.wavelength, parts.range_scale),
+                                        .elements = one_way.elements});
 }
 
 void CalibratedReceiver::set_up_noise(const SetUp& parts) {

@@ -154,16 +154,17 @@ SimulatedSonar::SimulatedSonar(const Scenario& scenario, const SonarConfig& sona
 void SimulatedSonar::add_receivers(const Scenario& scenario, std::span<const Material> materials, std::size_t threads) {
   const std::vector<float> angles = cell_angles(*plan);
   while (scenario.model == EchoModel::kCalibrated && receivers.size() < threads) {
-    receivers.push_back(
-        std::make_unique<CalibratedReceiver>(CalibratedReceiver::Settings{.sonar = steered,
-                                                                          .cells = cells,
-                                                                          .cell_angles = angles,
-                                                                          .water = scenario.water_at(config),
-                                                                          .receiver = scenario.receiver_of(config),
-                                                                          .materials = materials,
-                                                                          .thrusters = scenario.thrusters,
-                                                                          .moves = scenario.motion_in_ping,
-                                                                          .seed = scenario.seed}));
+    receivers.push_back(std::make_unique<CalibratedReceiver>(
+        CalibratedReceiver::Settings{.sonar = steered,
+                                     .cells = cells,
+                                     .cell_angles = angles,
+                                     .water = scenario.water_at(config),
+                                     .receiver = scenario.receiver_of(config),
+                                     .materials = materials,
+                                     .thrusters = scenario.thrusters,
+                                     .moves = scenario.motion_in_ping,
+                                     .seed = scenario.seed,
+                                     .like = receivers.empty() ? nullptr : receivers.front().get()}));
   }
 }
 

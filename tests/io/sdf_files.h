@@ -48,6 +48,15 @@ class SdfTest : public testing::Test {
     return load_scene(path, options, [&](Severity, const std::string& line) { said.push_back(without_folder(line)); });
   }
 
+  /// Names of a scene's instances, in order.
+  static std::vector<std::string> names(const Scene& scene) {
+    std::vector<std::string> found;
+    for (const Instance& instance : scene.instances) {
+      found.push_back(instance.name);
+    }
+    return found;
+  }
+
   /// Error message of loading, with the test's folder removed. Whatever is missing is an error here.
   std::string error_of(const std::string& text, bool collisions = false) {
     return error_of_file(write("scene.sdf", text), {.collisions = collisions, .strict = true});

@@ -58,7 +58,7 @@ struct SamplingBenchOptions {
 int bench_sampling(const SamplingBenchOptions& options);
 
 struct GrowthBenchOptions {
-  std::vector<std::string> grows;  ///< Of growth_names(); empty: all.
+  std::vector<std::string> grows;  ///< Some of growth_names(); empty: all.
   int doublings = 3;               ///< Rows of each after the first.
   int divided_by = 1;              ///< Divides the sizes of the first rows.
   int repetitions = 3;             ///< Simulators of each row, and timed pings of each of them.

@@ -18,7 +18,7 @@
 namespace insonify {
 namespace {
 
-constexpr int kTriangles = 10'000;  // Of the scene where they do not grow.
+constexpr int kTriangles = 10'000;  // The scene's, where they do not grow.
 
 struct GrowthCase {
   Scenario scenario;

@@ -25,7 +25,7 @@ struct MirrorBox {
 class MirrorTree {
  public:
   struct Item {
-    MirrorBox box;  ///< Of the triangle, enlarged.
+    MirrorBox box;  ///< Around the triangle, enlarged.
     std::uint32_t mirror, triangle;
   };
 

@@ -16,7 +16,7 @@ struct FlattenedScene {
   Mesh mesh;                                 ///< Not cleaned. Normals are zero if the file has none.
   std::size_t lines_and_points = 0;          ///< Number of faces dropped because they have fewer than 3 corners.
   std::vector<std::string> notes;            ///< Warnings about other parts that were not read.
-  std::vector<std::string> part_names = {};  ///< Of nodes, or their meshes; unique, "part" without a name.
+  std::vector<std::string> part_names = {};  ///< [part] Name of a node, or of its mesh; unique, "part" without one.
   std::vector<std::uint32_t> part_of_triangle = {};  ///< Index in `part_names`; empty if the format has no parts.
 };
 

@@ -16,7 +16,7 @@
 namespace insonify {
 namespace {
 
-constexpr std::size_t kMost = std::size_t{1} << 40;  // Of a count or an offset, so that their products do not overflow.
+constexpr std::size_t kMost = std::size_t{1} << 40;  // Largest count or offset: their products do not overflow.
 
 std::size_t bytes_of_component(int type) {
   switch (type) {

@@ -179,7 +179,7 @@ void mend_meshes(GltfFile& file, std::string& numbers, MendedGltf& mended) {
 
 // ---------------------------------------------------------------- Looks and URIs
 
-// Of a material its name and its normal map, if that is there.
+// A material with no more than its name and its normal map, if that is there.
 json kept_material(const json& material, const GltfFile& file) {
   json kept = {{"name", material.value("name", std::string())}};
   const json map = material.value("normalTexture", json::object());

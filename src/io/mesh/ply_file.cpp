@@ -28,7 +28,7 @@ Indices indices_of(const PlyElement& element, std::initializer_list<std::initial
   return std::ranges::count(found, -1) > 0 ? Indices() : found;
 }
 
-using Values = std::vector<std::vector<double>>;  // Of an element, by property.
+using Values = std::vector<std::vector<double>>;  // [property][number] Numbers of an element.
 
 float number(const Values& values, int property) {
   const std::vector<double>& numbers = values[static_cast<std::size_t>(property)];
@@ -132,8 +132,8 @@ class PlyMesh {
   }
 
   FlattenedScene made_;
-  std::vector<Eigen::Vector2f> textures_;          // Of vertices.
-  std::vector<double> corners_;                    // Of all faces, as in the file,
+  std::vector<Eigen::Vector2f> textures_;          // [vertex] Texture coordinates.
+  std::vector<double> corners_;                    // Vertices of all faces, as in the file,
   std::vector<std::size_t> face_ends_;             // and where each ends.
   std::vector<Vec3f> places_;                      // Corners of the present face,
   std::vector<std::array<std::uint32_t, 3>> cut_;  // and its triangles.

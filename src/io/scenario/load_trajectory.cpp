@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "base/log_line.h"
@@ -13,68 +12,12 @@
 #include "insonify/printable.h"
 #include "io/file/input_file.h"
 #include "io/scenario/track_columns.h"
+#include "io/scenario/track_words.h"
 
 namespace insonify {
 namespace {
 
-// A word of a line, and its column in the file.
-struct Word {
-  std::string text;
-  int column;
-};
-
-std::vector<Word> words_by_space(std::string_view line) {
-  std::vector<Word> words;
-  for (std::size_t at = 0; (at = line.find_first_not_of(" \t", at)) != std::string_view::npos;) {
-    const std::size_t end = std::min(line.find_first_of(" \t", at), line.size());
-    words.push_back({std::string(line.substr(at, end - at)), static_cast<int>(at) + 1});
-    at = end;
-  }
-  return words;
-}
-
-std::vector<Word> words_by(char separator, std::string_view line) {
-  std::vector<Word> words;
-  for (std::size_t at = 0; at <= line.size();) {
-    const std::size_t end = std::min(line.find(separator, at), line.size());
-    const std::size_t first = std::min(line.find_first_not_of(" \t", at), end);
-    const std::size_t last = line.find_last_not_of(" \t", end - (end > 0 ? 1 : 0));
-    const std::size_t length = first < end && last != std::string_view::npos && last >= first ? last - first + 1 : 0;
-    std::string_view text = line.substr(first, length);
-    if (text.size() > 1 && text.front() == '"' && text.back() == '"') {  // Some programs quote numbers too.
-      text = text.substr(1, text.size() - 2);
-    }
-    words.push_back({std::string(text), static_cast<int>(first) + 1});
-    at = end + 1;
-  }
-  if (words.size() > 1 && words.back().text.empty()) {  // A separator at the end of the line.
-    words.pop_back();
-  }
-  return words;
-}
-
-// What separates words: a semicolon (numbers may then have decimal commas), a comma, a tab if each word has one (names
-// may then have blanks), or white space.
-char separator_of(std::string_view line) {
-  constexpr long kLeastTabs = 3;
-  const auto has = [&](char c) { return line.find(c) != std::string_view::npos; };
-  return has(';') ? ';' : has(',') ? ',' : std::ranges::count(line, '\t') >= kLeastTabs ? '\t' : ' ';
-}
-
-std::optional<double> number_in(const std::string& word, char separator) {
-  std::string text = word;
-  if (separator == ';') {
-    std::ranges::replace(text, ',', '.');
-  }
-  text.erase(0, text.size() > 1 && text.front() == '+' && text[1] != '-' ? 1 : 0);
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool is_number = error == std::errc() && end == text.data() + text.size() && std::isfinite(value);
-  return is_number ? std::optional(value) : std::nullopt;
-}
-
 constexpr std::size_t kKittiNumbers = 12;  // A matrix of 3 x 4, without a time.
-constexpr double kKittiPeriod = 0.1;       // [s]
 
 class TrajectoryReader {
  public:
@@ -102,10 +45,6 @@ class TrajectoryReader {
  private:
   [[nodiscard]] Place place(int column = 1) const { return {path_.string(), line_, column}; }
 
-  [[nodiscard]] std::vector<Word> words_of(std::string_view line) const {
-    return separator_ == ' ' ? words_by_space(line) : words_by(separator_, line);
-  }
-
   void take(std::string_view line) {
     const std::size_t first = line.find_first_not_of(" \t");
     if (first == std::string_view::npos) {
@@ -114,16 +53,16 @@ class TrajectoryReader {
     if (columns_.empty()) {
       begin(line, line[first] == '#' || line[first] == '%');
     } else if (line[first] != '#') {
-      add_waypoint(words_of(line));
+      add_waypoint(track_words(line, separator_));
     }
   }
 
   // The first lines say what the columns are: a header, which may be a comment, or the number of values.
   void begin(std::string_view line, bool is_comment) {
     separator_ = separator_of(line);
-    const std::vector<Word> words = words_of(line);
+    const std::vector<TrackWord> words = track_words(line, separator_);
     std::vector<std::string> texts;
-    for (const Word& word : words) {
+    for (const TrackWord& word : words) {
       texts.push_back(word.text);
     }
     if (is_comment && texts.size() > 1 && texts[0].find_first_not_of("#%") == std::string::npos) {
@@ -132,15 +71,15 @@ class TrajectoryReader {
     if (is_comment && !is_track_header(texts)) {
       return;
     }
-    if (is_comment || !number_in(texts[0], separator_)) {
+    if (is_comment || !track_number(texts[0], separator_)) {
       read_header(words, texts);
       return;
     }
     constexpr double kNanoseconds = 1e15;  // No time in seconds is so long.
     if (texts.size() == kKittiNumbers) {
       columns_.resize(kKittiNumbers);
-      read_kitti_times();
-    } else if (number_in(texts[0], separator_) > kNanoseconds) {
+      times_ = kitti_times(path_, log_);
+    } else if (track_number(texts[0], separator_) > kNanoseconds) {
       columns_ = euroc_columns();
     } else if (ending_of(path_) == ".csv" && given_.empty()) {
       read_header(words, texts);
@@ -157,7 +96,7 @@ class TrajectoryReader {
     add_waypoint(words);
   }
 
-  void read_header(const std::vector<Word>& words, const std::vector<std::string>& texts) {
+  void read_header(const std::vector<TrackWord>& words, const std::vector<std::string>& texts) {
     try {
       columns_ = columns_of_header(texts, given_);
     } catch (const Error& error) {
@@ -180,32 +119,7 @@ class TrajectoryReader {
     }
   }
 
-  // Poses of KITTI have their times in a file of their own beside them.
-  void read_kitti_times() {
-    const std::filesystem::path file = path_.parent_path() / "times.txt";
-    std::error_code ignored;
-    if (!std::filesystem::exists(file, ignored)) {
-      log_line(log_, Severity::kWarning,
-               fmt::format("{}: matrices of KITTI, without a times.txt beside it: they are taken {} s apart",
-                           path_.string(), kKittiPeriod));
-      return;
-    }
-    for (const Word& word : words_by_space(spaced(read_text(file)))) {
-      const std::optional<double> time = number_in(word.text, ' ');
-      if (!time) {
-        throw Error(fmt::format("{}: \"{}\" must be a number", file.string(), printable(word.text)));
-      }
-      times_.push_back(*time);
-    }
-  }
-
-  static std::string spaced(std::string text) {
-    std::ranges::replace(text, '\n', ' ');
-    std::ranges::replace(text, '\r', ' ');
-    return text;
-  }
-
-  void add_waypoint(const std::vector<Word>& words) {
+  void add_waypoint(const std::vector<TrackWord>& words) {
     if (words.size() != columns_.size() && !has_spare(words.size())) {
       const char other = separator_of(text_.substr(0, text_.find('\n')));
       throw Error(fmt::format("has {} values, must have {}: {}{}", words.size(), columns_.size(), column_names(),
@@ -240,7 +154,7 @@ class TrajectoryReader {
 
   [[nodiscard]] bool is_kitti() const { return columns_.size() == kKittiNumbers && count({kTime}) == 0; }
 
-  [[nodiscard]] Waypoint named_waypoint(const std::vector<Word>& words) {
+  [[nodiscard]] Waypoint named_waypoint(const std::vector<TrackWord>& words) {
     std::array<double, kNumbers> values{};
     for (std::size_t i = 0; i < words.size(); ++i) {
       if (const auto column = columns_[i].number) {
@@ -262,7 +176,7 @@ class TrajectoryReader {
     return waypoint;
   }
 
-  [[nodiscard]] Waypoint kitti_waypoint(const std::vector<Word>& words) {
+  [[nodiscard]] Waypoint kitti_waypoint(const std::vector<TrackWord>& words) {
     Eigen::Matrix<double, 3, 4> matrix;
     for (int i = 0; i < static_cast<int>(kKittiNumbers); ++i) {
       matrix(i / 4, i % 4) = number(words[static_cast<std::size_t>(i)], "the matrix");
@@ -292,8 +206,8 @@ class TrajectoryReader {
     return rpy_from_orientation(quaternion.normalized());
   }
 
-  [[nodiscard]] double number(const Word& word, std::string_view name) const {
-    const std::optional<double> value = number_in(word.text, separator_);
+  [[nodiscard]] double number(const TrackWord& word, std::string_view name) const {
+    const std::optional<double> value = track_number(word.text, separator_);
     if (!value) {
       throw Error(fmt::format("{} = \"{}\" must be a number", name, printable(word.text))).at(place(word.column));
     }
@@ -348,7 +262,7 @@ class TrajectoryReader {
   char separator_ = ' ';
   int line_ = 0;
   std::vector<TrackColumn> columns_;
-  std::vector<double> times_;  // Of KITTI's rows.
+  std::vector<double> times_;  // [row] Times of KITTI's poses [s].
   std::size_t kitti_rows_ = 0, equal_times_ = 0;
   double largest_turn_ = 0;  // [rad]
   Trajectory trajectory_;

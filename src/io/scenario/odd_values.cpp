@@ -18,7 +18,7 @@ class OddValues {
   OddValues(const Scenario& scenario, std::vector<std::string>& lines) : scenario_(scenario), lines_(lines) {}
 
   void check() {
-    constexpr double kMostKilogrammes = 0.1;  // Of salt in a kilogramme of water: no sea has so much.
+    constexpr double kMostKilogrammes = 0.1;  // Salt in a kilogramme of water: no sea has so much.
     if (const double salinity = scenario_.water.salinity; salinity > 0 && salinity < kMostKilogrammes) {
       say("water.salinity", fmt::format(" = {} PSU is almost fresh water; the sea has 35", salinity));
     }

@@ -1,4 +1,5 @@
-// bearing_response.cpp -- tabulates the array's beam pattern as gain matrices, once for all pings.
+// bearing_response.cpp -- tabulates the array's beam pattern as gain matrices: once for all pings, or where that would
+// need too much memory, in each.
 
 #include "receiver/array/bearing_response.h"
 
@@ -6,6 +7,7 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "base/interruption.h"
 
@@ -42,7 +44,7 @@ BearingResponse::BearingResponse(const ArrayPattern& pattern, double length, std
     }
   }
   const double floor = std::pow(10, floor_db / 10);
-  defocus(extras.zones, extras.elements, floor);
+  defocus(extras, floor);
   if (std::ranges::any_of(focuses_, [](const Focus& focus) { return focus.tables.empty(); })) {
     fill_in_focus(floor);
   }
@@ -114,8 +116,8 @@ void BearingResponse::fill_in_focus(double floor) {
 }
 
 // Chooses the table of each beam in each zone.
-void BearingResponse::defocus(const std::vector<Zone>& zones, int elements, double floor) {
-  if (zones.empty()) {
+void BearingResponse::defocus(const Extras& extras, double floor) {
+  if (extras.zones.empty()) {
     focuses_.emplace_back();
     return;
   }
@@ -127,8 +129,8 @@ void BearingResponse::defocus(const std::vector<Zone>& zones, int elements, doub
   for (const double sine : beam_sines_) {
     steered = std::max(steered, std::abs(sine));
   }
-  tables_.emplace(pattern_, elements, length_ * (1 + steered), floor);
-  for (const Zone& zone : zones) {
+  tables_.emplace(pattern_, extras.elements, length_ * (1 + steered), floor);
+  for (const Zone& zone : extras.zones) {
     Focus& focus = focuses_.emplace_back();
     focus.end = zone.end;
     for (std::size_t beam = 0; zone.edge_phase != 0 && beam < beam_sines_.size(); ++beam) {
@@ -136,10 +138,34 @@ void BearingResponse::defocus(const std::vector<Zone>& zones, int elements, doub
       focus.tables.push_back(tables_->table_for(zone.edge_phase * (1 - sine * sine)));
     }
   }
+  keep_gains(extras.most_kept);
+}
+
+// From the nearest zone on, as each costs a ping the same.
+void BearingResponse::keep_gains(std::size_t most) {
+  const std::size_t blocks = (beam_sines_.size() + GainMatrix::kBlockBeams - 1) / GainMatrix::kBlockBeams;
+  const std::size_t of_zone = 3 * blocks * GainMatrix::kBlockBeams * cell_sines_.size();
+  for (Focus& focus : focuses_) {
+    if (focus.tables.empty() || kept_ + of_zone > most) {
+      continue;
+    }
+    check_interruption();
+    Scratch scratch;
+    for (GainMatrix* matrix : {&scratch.gains.energy, &scratch.gains.in_phase, &scratch.gains.quadrature}) {
+      matrix->reshape(beam_count(), cell_count());
+    }
+    for (std::size_t block = 0; block < blocks; ++block) {
+      for (const bool energy : {true, false}) {
+        set_block(focus, static_cast<int>(block), 0, energy, scratch);
+      }
+    }
+    focus.kept = std::move(scratch.gains);
+    kept_ += of_zone;
+  }
 }
 
 // Sets the gains of a block of beams, out of focus, within the band of its cells.
-// @param first_beam  Of the first block.
+// @param first_beam  The first beam of block 0.
 void BearingResponse::set_block(const Focus& focus, int block, int first_beam, bool energy, Scratch& scratch) const {
   Gains& gains = scratch.gains;
   const int begin = block * GainMatrix::kBlockBeams;
@@ -202,8 +228,8 @@ void BearingResponse::for_each_part(BinRange bins, bool energy, const Receive& r
     }
     const BinRange part{first, last};
     first = last;
-    if (focus.tables.empty()) {
-      receive(in_focus_, 0, part);
+    if (focus.tables.empty() || focus.kept) {
+      receive(focus.kept ? *focus.kept : in_focus_, 0, part);
       continue;
     }
     for (int beam = 0; beam < beam_count(); beam += blocks * GainMatrix::kBlockBeams) {

@@ -2,7 +2,9 @@
 
 #pragma once
 
+#include <algorithm>
 #include <complex>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <span>
@@ -29,12 +31,14 @@ namespace insonify {
 /// Cells must be no wider than wavelength / D, or the correlation of speckle between neighbouring beams is wrong; half
 /// a beam spacing is fine enough. Where the edges of cells are given, those wider than kWideCell are received with the
 /// mean of |g|^2 over the cell, since their middle may be at a zero of the pattern. An array out of focus has other
-/// gains in other zones of bins: these are taken from DefocusedTables when a ping is received, as matrices of all zones
-/// would need gigabytes. A bearing is given by its sine, so all bearings must be within 90 degrees of the axis.
+/// gains in other zones of bins. As matrices of all zones may need gigabytes, those beyond kMostKept numbers are looked
+/// up in DefocusedTables whenever a ping is received. A bearing is given by its sine, so all bearings must be within 90
+/// degrees of the axis.
 class BearingResponse {
  public:
   static constexpr double kFloorDb = -60;
-  static constexpr double kWideCell = 0.5;  ///< [wavelength / D]; side lobes are one wide.
+  static constexpr double kWideCell = 0.5;                        ///< [wavelength / D]; side lobes are one wide.
+  static constexpr std::size_t kMostKept = std::size_t{1} << 25;  ///< 128 MB: all of an array of 256 beams.
 
   /// Range of bins, up to `end`, in which a defocused array has one pattern.
   struct Zone {
@@ -48,7 +52,8 @@ class BearingResponse {
                                               ///< gain of its centre.
     FanPattern element{std::nullopt};         ///< One element's gain, which multiplies that of the array.
     std::vector<Zone> zones = {};             ///< Empty: the array is focused at every range.
-    int elements = 0;                         ///< Of the array; 0: a line. Only asked with `zones`.
+    int elements = 0;                         ///< Number of the array's elements; 0: a line. Only asked with `zones`.
+    std::size_t most_kept = kMostKept;        ///< Most gains out of focus that are kept.
   };
 
   /// @param length      D / wavelength, > 0.
@@ -80,6 +85,12 @@ class BearingResponse {
   /// Tables of the array out of focus; null where it is focused at every range.
   [[nodiscard]] const DefocusedTables* defocused() const { return tables_ ? &*tables_ : nullptr; }
 
+  /// Number of gains out of focus that are kept, and whether all are: then pings look up none.
+  [[nodiscard]] std::size_t kept() const { return kept_; }
+  [[nodiscard]] bool keeps_all() const {
+    return std::ranges::all_of(focuses_, [](const Focus& focus) { return focus.tables.empty() || focus.kept; });
+  }
+
   /// Beam energies: the matrix product beams = |g|^2 cells, for the bins of one task. Allocates nothing.
   /// @param cells      Cell energies, [cell][bin].
   /// @param beams      Beam energies, [beam][bin]; written in `bins`.
@@ -102,19 +113,21 @@ class BearingResponse {
   // Bins before `end`.
   struct Focus {
     int end = std::numeric_limits<int>::max();
-    std::vector<int> tables = {};  // [beam], of tables_; empty in focus.
+    std::vector<int> tables = {};  // [beam] Number in tables_; empty in focus.
+    std::optional<Gains> kept = {};
   };
-  // Out of focus.
+  // Gains of some beams out of focus, and [cell] those of one.
   struct Scratch {
-    Gains gains;                              // Of some beams.
-    std::vector<float> in_phase, quadrature;  // [cell], of one.
+    Gains gains;
+    std::vector<float> in_phase, quadrature;
   };
   [[nodiscard]] const Focus& focus_at(int bin) const;
   [[nodiscard]] std::complex<double> focused_gain(int beam, double u) const;
   template <typename Gain>
   [[nodiscard]] double mean_intensity(int cell, const Gain& gain) const;
   void fill_in_focus(double floor);
-  void defocus(const std::vector<Zone>& zones, int elements, double floor);
+  void defocus(const Extras& extras, double floor);
+  void keep_gains(std::size_t most);
   void set_block(const Focus& focus, int block, int first_beam, bool energy, Scratch& scratch) const;
   template <typename Receive>
   void for_each_part(BinRange bins, bool energy, const Receive& receive) const;
@@ -132,6 +145,7 @@ class BearingResponse {
   Gains in_focus_;
   std::vector<Focus> focuses_;  // By range; one if the array is focused everywhere.
   std::optional<DefocusedTables> tables_;
+  std::size_t kept_ = 0;
 };
 
 /// Zones of bins in which an array's edge phase is almost the same. Empty where the sonar has no focus_range.

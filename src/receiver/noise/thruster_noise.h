@@ -62,7 +62,7 @@ class ThrusterNoise {
     double range = 0;       // [m]
     double mean = 0;        // Intensity for a gain of 1.
     double depth = 0;       // Depth of the modulation after the matched filter.
-    double edge_phase = 0;  // Of the unsteered array: ArrayPattern::defocused() [rad].
+    double edge_phase = 0;  // Phase at the edges of the unsteered array, see ArrayPattern::defocused() [rad].
 
     std::optional<Vec3> place = {};                 // Position for which `gains` were computed.
     std::vector<std::complex<float>> gains = {};    // [beam]

@@ -10,16 +10,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-class SdfOddElementsTest : public SdfTest {
- protected:
-  static std::vector<std::string> names(const Scene& scene) {
-    std::vector<std::string> found;
-    for (const Instance& instance : scene.instances) {
-      found.push_back(instance.name);
-    }
-    return found;
-  }
-};
+using SdfOddElementsTest = SdfTest;
 
 std::string box(const std::string& name, const std::string& size = "1 2 3", const std::string& more = "") {
   return "<visual name='" + name + "'><geometry><box><size>" + size + "</size></box></geometry>" + more + "</visual>";

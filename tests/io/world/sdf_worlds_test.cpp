@@ -7,16 +7,7 @@
 namespace insonify::sdf_worlds_test {
 namespace {
 
-class SdfWorldsTest : public SdfTest {
- protected:
-  static std::vector<std::string> names(const Scene& scene) {
-    std::vector<std::string> found;
-    for (const Instance& instance : scene.instances) {
-      found.push_back(instance.name);
-    }
-    return found;
-  }
-};
+using SdfWorldsTest = SdfTest;
 
 using testing::ElementsAre;
 using testing::HasSubstr;

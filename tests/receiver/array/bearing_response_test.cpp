@@ -289,8 +289,9 @@ TEST(BearingResponseTest, OutOfFocusIsTheSumOverCells) {
     ArraySettings settings{.window = ArrayWindow::kTaylor, .elements = faulty ? 96 : 0};
     settings.element_error = faulty ? 0.3 : 0;
     const ArrayPattern pattern(settings, 3);
-    const BearingResponse response(pattern, kLength, cells, beams, -60,
-                                   {.zones = {std::begin(kZones), std::end(kZones)}, .elements = settings.elements});
+    const BearingResponse::Extras extras{.zones = {std::begin(kZones), std::end(kZones)},
+                                         .elements = settings.elements};
+    const BearingResponse response(pattern, kLength, cells, beams, -60, extras);
     for (const int lit : {0, 40, 150, 299}) {
       std::vector<float> energy(kCells * kBins);
       Field field(kCells * kBins);
@@ -316,6 +317,41 @@ TEST(BearingResponseTest, OutOfFocusIsTheSumOverCells) {
   }
 }
 
+// Gains that are kept and those that each ping looks up are the same; of three zones out of focus one, or none, is
+// kept.
+TEST(BearingResponseTest, GainsThatAreKeptAreThoseLookedUp) {
+  constexpr int kBeams = 21, kCells = 150, kBins = 24;
+  const std::vector<double> cells = fan(kCells), beams = fan(kBeams);
+  std::vector<double> edges;
+  for (int edge = 0; edge <= kCells; ++edge) {  // The last ten cells are wide.
+    edges.push_back((edge == 0 ? 1.0 : cells[edge - 1]) - (edge > kCells - 10 ? 0.004 * (edge - kCells + 10) : 0.0));
+  }
+  const ArrayPattern pattern({.window = ArrayWindow::kHann});
+  const auto with_most = [&](std::size_t most) {
+    return BearingResponse(
+        pattern, 33, cells, beams, -60,
+        {.cell_edges = edges, .zones = {{5, 3.0}, {11, 0.8}, {17, 0}, {24, -0.4}}, .most_kept = most});
+  };
+  const std::size_t of_zone = 3UL * 24 * kCells;  // Three matrices, of beams in eights.
+  const BearingResponse all = with_most(BearingResponse::kMostKept), one = with_most(2 * of_zone - 1),
+                        none = with_most(0);
+  EXPECT_EQ(all.kept(), 3 * of_zone);
+  EXPECT_EQ(one.kept(), of_zone);
+  EXPECT_EQ(none.kept(), 0U);
+  EXPECT_TRUE(all.keeps_all());
+  EXPECT_FALSE(one.keeps_all());
+  std::vector<float> energy(kCells * kBins);
+  Field field(kCells * kBins);
+  for (std::size_t i = 0; i < energy.size(); ++i) {
+    energy[i] = static_cast<float>(1 + i % 7);
+    field[i] = {static_cast<float>(i % 5), static_cast<float>(i % 3)};
+  }
+  for (const BearingResponse* other : {&one, &none}) {
+    EXPECT_EQ(receive(*other, energy, kBins), receive(all, energy, kBins));
+    EXPECT_EQ(receive(*other, field, kBins), receive(all, field, kBins));
+  }
+}
+
 // Beams as narrow as their spacing, from 128 to 1024 of them: the array is as long as there are beams, and its edge
 // phases as large. Matrices of all zones would need 60 x 1024 x 2048 x 3 numbers.
 TEST(BearingResponseTest, MemoryOutOfFocusGrowsWithTheBeams) {
@@ -325,6 +361,7 @@ TEST(BearingResponseTest, MemoryOutOfFocusGrowsWithTheBeams) {
       zones.push_back({static_cast<int>(zones.size()) + 1, phase});
     }
     const BearingResponse response(ArrayPattern(), 0.42 * count, fan(2 * count), fan(count), -60, {.zones = zones});
+    EXPECT_LE(response.kept(), BearingResponse::kMostKept);
     return static_cast<double>(response.defocused()->value_count());
   };
   const double few = values_of(128), many = values_of(1024);
