@@ -118,19 +118,31 @@ TEST_P(SeeThroughTest, WaterBehindANetIsHiddenInPart) {
 TEST_P(SeeThroughTest, WaterBehindSurfacesBeforeTheFirstBinIsHidden) {
   for (const GroundTruth truth : {GroundTruth::kNone, GroundTruth::kLabels, GroundTruth::kFull}) {
     for (const BeamPattern pattern : {BeamPattern::kTopHat, BeamPattern::kTaylor}) {
-      Scenario scenario = scenario_of(narrow_sonar(), GetParam());
-      scenario.water.volume_backscatter_db = -55;
-      scenario.ground_truth = truth;
-      scenario.receiver.azimuth_pattern = pattern;
-      scenario.sonars[0].min_range = 7.3;
-      const Ping open = ping_of(scenario, {});
-      const Ping net_before = ping_of(scenario, plate_at(2.9, 30, net(0.8)));
-      const Ping wall_before = ping_of(scenario, plate_at(2.9, 30, *find_material("steel")));
-      for (const int bin : {0, 40, open.bin_count - 1}) {
-        const std::size_t at = open.index(bin, 3);
-        ASSERT_GT(open.intensity[at], 0);
-        EXPECT_NEAR(net_before.intensity[at] / open.intensity[at], 0.64, 1e-3) << bin;
-        EXPECT_NEAR(wall_before.intensity[at] / open.intensity[at], 0, 1e-5) << bin;
+      for (const bool crossed : {false, true}) {  // With a pulse, bins longer than it, and motion.
+        Scenario scenario = scenario_of(narrow_sonar(), GetParam());
+        scenario.water.volume_backscatter_db = -55;
+        scenario.ground_truth = truth;
+        scenario.receiver.azimuth_pattern = pattern;
+        scenario.sonars[0].min_range = 7.3;
+        scenario.sonars[0].bin_count = crossed ? 19 : 190;
+        scenario.receiver.pulse = crossed ? PulseKind::kCw : PulseKind::kNone;
+        scenario.receiver.pulse_duration = 80e-6;
+        scenario.motion_in_ping = crossed;
+        PingRequest request;
+        request.twist.linear = Vec3(crossed ? 2 : 0, 0.5, 0);
+        const auto behind = [&](const Scene& scene) {
+          Ping ping;
+          Simulator(scenario, scene, 2).ping(0, request, ping);
+          return ping;
+        };
+        const Ping open = behind({}), net_before = behind(plate_at(2.9, 30, net(0.8))),
+                   wall_before = behind(plate_at(2.9, 30, *find_material("steel")));
+        for (const int bin : {0, 8, open.bin_count - 1}) {
+          const std::size_t at = open.index(bin, 3);
+          ASSERT_GT(open.intensity[at], 0);
+          EXPECT_NEAR(net_before.intensity[at] / open.intensity[at], 0.64, 1e-3) << bin << crossed;
+          EXPECT_NEAR(wall_before.intensity[at] / open.intensity[at], 0, 1e-5) << bin << crossed;
+        }
       }
     }
   }
