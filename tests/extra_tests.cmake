@@ -113,7 +113,6 @@ if(BUILD_SHARED_LIBS)
               --link=${link} ${document}
       WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
   endforeach()
-  set_tests_properties(documentation.docs/how-to/instruments.md PROPERTIES RESOURCE_LOCK oculus_status)  # As below.
 endif()
 add_test(NAME run_doc_blocks
   COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_doc_blocks_test.py)
@@ -211,8 +210,6 @@ if(INSONIFY_BUILD_APPS)
       COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/bench/follow_wall.py ${instrument} $<TARGET_FILE:insonify_cli> --seconds 3 --slowest 0)
     set_tests_properties(follow_wall_${instrument} PROPERTIES TIMEOUT 120)
   endforeach()
-  # Of two programs that wait for an instrument's status at its UDP port one gets it.
-  set_tests_properties(emulate_oculus emulate_oculus_clients follow_wall_oculus PROPERTIES RESOURCE_LOCK oculus_status)
   # NumPy archives and Zarr groups as NumPy and zarr read them.
   add_test(NAME exported_arrays
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/python/export_test.py $<TARGET_FILE:insonify_cli>)

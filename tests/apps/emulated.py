@@ -1,5 +1,6 @@
 """A program `insonify emulate` in a folder of its own, for tests. The program is their first argument."""
 
+import faulthandler
 import os
 import pathlib
 import signal
@@ -9,6 +10,7 @@ import tempfile
 import time
 
 INSONIFY = os.path.abspath(sys.argv.pop(1))
+faulthandler.dump_traceback_later(110, exit=True)  # A test that hangs says where, before ctest ends it.
 
 
 class Emulated:

@@ -1,6 +1,7 @@
 """A client of Oculus sonars, written from the layout of their messages alone. All numbers are little-endian, packed."""
 
 import functools
+import itertools
 import socket
 import struct
 import time
@@ -124,13 +125,16 @@ class Client:
         """Fires, and returns the first ping that has been made with the settings."""
         asked = fire(**settings)
         self.send(asked)
-        end, tried = time.monotonic() + 20, 0
-        while True:
-            ping = self.ping()
-            tried += 1
-            if tried % 10 == 0:  # Another client may have fired after this one.
-                self.send(asked)
+        end = time.monotonic() + 20
+        for received in itertools.count(1):
             assert time.monotonic() < end, f"no ping with {settings} {wanted}"
+            number, data = self.receive()
+            # The fire message of another client, perhaps one that has gone, may have been read after this one.
+            if number == DUMMY or received % 10 == 0:
+                self.send(asked)
+            if number != PING:
+                continue
+            ping = Ping(data)
             same = {"mode": ping.mode, "flags": ping.flags, "reach": ping.reach, "gamma": ping.gamma, "rate": ping.rate,
                     "gain": (ping.gain - 40) / 0.6 if ping.mode == 2 else ping.gain, "speed": ping.asked_speed,
                     "salinity": ping.salinity, **(wanted or {})}
