@@ -27,7 +27,7 @@ struct Instance {
   std::vector<std::uint16_t> materials = {};  ///< Index into Scene::materials for each of the mesh's slots.
   std::vector<std::shared_ptr<const Relief>> reliefs = {};  ///< Relief of each slot, null for none; empty: none at all.
   bool moving = false;   ///< Whether its pose may change between pings; engines keep it separate from static instances.
-  bool present = true;   ///< False after removal: engines ignore it, only its index stays.
+  bool present = true;   ///< False after removal: engines ignore it, and its index is free.
   bool endless = false;  ///< Whether it is unbounded, as the sea surface: bounds() ignores it.
 };
 

@@ -46,7 +46,7 @@ class PreparedSonar {
  private:
   friend class Simulator;
   SonarConfig config_;
-  std::size_t material_count_ = 0;  // Materials of the scene.
+  std::vector<Material> materials_;  // Of the scene.
   std::unique_ptr<SimulatedSonar> made_;
 };
 
@@ -56,8 +56,8 @@ class PreparedSonar {
 /// ScenarioRequests makes the requests of the scenario's own trajectory; a caller may also build them itself. The same
 /// request always gives the same ping, regardless of earlier ones.
 ///
-/// Objects, sonars and materials keep their indices for the simulator's lifetime: additions are appended, and the index
-/// of a removed object is not reused. Labels therefore mean the same in all pings.
+/// Sonars keep their indices for the simulator's lifetime, and objects until they are removed; what is added later may
+/// have the index of a removed object. Labels therefore mean the same in all pings between two calls of add_objects().
 class Simulator {
  public:
   /// @param scene    Materials must be assigned. Objects named by the scenario's motions are movable, and so are
@@ -127,7 +127,7 @@ class Simulator {
   /// The slow part of set_sonar() with thousands of beams. It may run while pings are made: it shares nothing with the
   /// simulator.
   /// @param scenario  As scenario(), with the new settings in `sonars`.
-  /// @param scene     As scene(); the number of its materials is used.
+  /// @param scene     As scene(); its materials are used.
   /// @throws Error for an index out of range.
   [[nodiscard]] static PreparedSonar prepare_sonar(const Scenario& scenario, int sonar, const Scene& scene);
 
@@ -135,10 +135,11 @@ class Simulator {
   void set_sonar(int sonar, PreparedSonar prepared);
 
   /// Adds the instances and materials of a scene whose materials are assigned. The engine rebuilds its whole scene
-  /// before the next ping, which can take as long as at the start: add many objects at once.
+  /// before the next ping, which can take as long as at the start: add many objects at once. Indices of removed objects
+  /// are used again, the lowest first.
   /// @param movable  The movable ones among them.
   /// @return         Index of the first one in scene().instances; the others follow.
-  /// @throws Error for a name that exists already, and for more than 65535 instances or materials in all.
+  /// @throws Error for a name that exists already, and for more than 65535 instances or materials at a time.
   int add_objects(const Scene& objects, std::span<const MovableObject> movable = {});
 
   /// Removes an object with all its parts, by its scoped name. The engine rebuilds its scene.

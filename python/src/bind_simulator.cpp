@@ -188,8 +188,8 @@ void bind_simulator(py::module_& module) {
             return self.add_objects(objects, movable_from(movable));
           },
           py::arg("objects"), py::arg("movable") = py::none(),
-          "Adds the instances of a Scene. Returns the index of the first of them. Raises Error for a name that is "
-          "there.")
+          "Adds the instances of a Scene. Returns the index of the first of them, which may be that of a removed one. "
+          "Raises Error for a name that is there.")
       .def("remove", &PythonSimulator::remove_object, py::arg("name"), "Removes an object with all its parts.")
       .def_property_readonly(
           "scenario", [](const PythonSimulator& self) { return wrap(self.known().scenario, kSimulatorsScenario); },
@@ -200,7 +200,7 @@ void bind_simulator(py::module_& module) {
           "A copy of the scene, which takes no more objects: Simulator.add() and remove() change the simulator's.")
       .def_property_readonly(
           "instance_names", [](const PythonSimulator& self) { return self.known().instance_names; },
-          "Names by index in Ping.instance.")
+          "Names by index in Ping.instance, of pings made now; add() may give the index of a removed object again.")
       .def_property_readonly(
           "material_names", [](const PythonSimulator& self) { return self.known().material_names; },
           "Names by index in Ping.material.");

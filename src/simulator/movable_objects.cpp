@@ -29,23 +29,19 @@ std::string object_names(const Scene& scene) {
 }
 
 // Without a given frame, an object has that of its first part's mesh.
-MovableObjects::Object& MovableObjects::add_object(const std::string& name, std::size_t first,
+MovableObjects::Object& MovableObjects::add_object(const std::string& name, std::size_t first, std::size_t last,
                                                    const std::optional<Pose>& world_from_object, Scene& scene) {
   Object& object = objects_.emplace_back();
   object.name = name;
   std::optional<Pose> frame = world_from_object;
-  for (std::size_t i = first; i < scene.instances.size(); ++i) {
+  for (std::size_t i = first; i < last; ++i) {
     Instance& instance = scene.instances[i];
-    if (!belongs_to(instance, name)) {
-      continue;
+    if (belongs_to(instance, name)) {
+      next_.try_emplace(static_cast<int>(i));
+      instance.moving = true;
+      frame = frame.value_or(instance.world_from_mesh);
+      object.pieces.push_back({static_cast<int>(i), frame->inverse() * instance.world_from_mesh});
     }
-    if (find_part(static_cast<int>(i)) == nullptr) {
-      parts_.push_back({static_cast<int>(i), instance.world_from_mesh});
-    }
-    instance.moving = true;
-    frame = frame.value_or(instance.world_from_mesh);
-    const auto part = static_cast<std::size_t>(find_part(static_cast<int>(i)) - parts_.data());
-    object.pieces.push_back({part, frame->inverse() * instance.world_from_mesh});
   }
   return object;
 }
@@ -54,19 +50,19 @@ void MovableObjects::add(std::span<const Motion> motions, Scene& scene) {
   for (std::size_t m = 0; m < motions.size(); ++m) {
     const Motion& motion = motions[m];
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-      if (belongs_to(scene.instances[i], motion.object) && find_part(static_cast<int>(i)) != nullptr) {
+      if (belongs_to(scene.instances[i], motion.object) && next_.contains(static_cast<int>(i))) {
         throw Error(fmt::format("motions[{}]", m), "object",
                     fmt::format(" = {} moves {} a second time", motion.object, scene.instances[i].name));
       }
     }
-    if (add_object(motion.object, 0, motion.trajectory.at(0), scene).pieces.empty()) {
+    if (add_object(motion.object, 0, scene.instances.size(), motion.trajectory.at(0), scene).pieces.empty()) {
       throw Error(fmt::format("motions[{}]", m), "object",
                   fmt::format(" = {} is not in the world; there are {}", motion.object, object_names(scene)));
     }
   }
 }
 
-void MovableObjects::add(std::span<const MovableObject> movable, Scene& scene, std::size_t first) {
+void MovableObjects::add(std::span<const MovableObject> movable, Scene& scene, std::size_t first, std::size_t last) {
   for (std::size_t m = 0; m < movable.size(); ++m) {
     const std::string& name = movable[m].name;
     if (name.empty()) {
@@ -78,32 +74,26 @@ void MovableObjects::add(std::span<const MovableObject> movable, Scene& scene, s
     if (std::ranges::find(objects_, name, &Object::name) != objects_.end()) {
       throw Error(fmt::format("movable[{}].name = {} is movable already", m, name));
     }
-    if (add_object(name, first, movable[m].world_from_object, scene).pieces.empty()) {
+    if (add_object(name, first, last, movable[m].world_from_object, scene).pieces.empty()) {
       throw Error(fmt::format("movable[{}].name = {} is not in the world; there are {}", m, name, object_names(scene)));
     }
   }
 }
 
-void MovableObjects::add_marked(const Scene& scene, std::size_t first) {
-  for (std::size_t i = first; i < scene.instances.size(); ++i) {
-    const Instance& instance = scene.instances[i];
-    if (instance.moving && find_part(static_cast<int>(i)) == nullptr) {
-      parts_.push_back({static_cast<int>(i), instance.world_from_mesh});
+void MovableObjects::add_marked(const Scene& scene, std::size_t first, std::size_t last) {
+  for (std::size_t i = first; i < last; ++i) {
+    if (scene.instances[i].moving && scene.instances[i].present) {
+      next_.try_emplace(static_cast<int>(i));
     }
   }
 }
 
-MovableObjects::Part* MovableObjects::find_part(int instance) {
-  const auto part = std::ranges::find(parts_, instance, &Part::instance);
-  return part == parts_.end() ? nullptr : &*part;
-}
-
-// Sets `next` of the parts of one object.
+// Sets the poses of one object's instances.
 void MovableObjects::set_next(const MovedObject& moved, const Scene& scene) {
   const auto object = std::ranges::find(objects_, moved.name, &Object::name);
   if (moved.instance < 0 && object != objects_.end()) {
     for (const Piece& piece : object->pieces) {
-      parts_[piece.part].next = moved.world_from_object * piece.object_from_mesh;
+      next_[piece.instance] = moved.world_from_object * piece.object_from_mesh;
     }
     return;
   }
@@ -117,9 +107,8 @@ void MovableObjects::set_next(const MovedObject& moved, const Scene& scene) {
         scene.instances, [&](const Instance& instance) { return instance.present && instance.name == moved.name; });
     index = named == scene.instances.end() ? -1 : static_cast<int>(named - scene.instances.begin());
   }
-  Part* part = find_part(index);
-  if (part != nullptr && scene.instances[part->instance].present) {
-    part->next = moved.world_from_object;
+  if (const auto next = next_.find(index); next != next_.end()) {
+    next->second = moved.world_from_object;
     return;
   }
   const std::string what = moved.instance < 0
@@ -139,16 +128,17 @@ void MovableObjects::set_next(const MovedObject& moved, const Scene& scene) {
 }
 
 void MovableObjects::forget_removed(const Scene& scene) {
-  std::erase_if(objects_, [&](const Object& object) {
-    return std::ranges::none_of(
-        object.pieces, [&](const Piece& piece) { return scene.instances[parts_[piece.part].instance].present; });
-  });
+  std::erase_if(next_, [&](const auto& next) { return !scene.instances[next.first].present; });
+  for (Object& object : objects_) {
+    std::erase_if(object.pieces, [&](const Piece& piece) { return !scene.instances[piece.instance].present; });
+  }
+  std::erase_if(objects_, [](const Object& object) { return object.pieces.empty(); });
 }
 
-// Sets `next` of every part.
+// Sets the poses of all that can move.
 void MovableObjects::set_all_next(std::span<const MovedObject> moved, const Scene& scene) {
-  for (Part& part : parts_) {
-    part.next = scene.instances[part.instance].world_from_mesh;
+  for (auto& [instance, next] : next_) {
+    next = scene.instances[instance].world_from_mesh;
   }
   for (std::size_t i = 0; i < moved.size(); ++i) {
     try {
@@ -162,8 +152,8 @@ void MovableObjects::set_all_next(std::span<const MovedObject> moved, const Scen
 Scene MovableObjects::placed(std::span<const MovedObject> moved, const Scene& scene) {
   set_all_next(moved, scene);
   Scene result = scene;
-  for (const Part& part : parts_) {
-    result.instances[part.instance].world_from_mesh = part.next;
+  for (const auto& [instance, next] : next_) {
+    result.instances[instance].world_from_mesh = next;
   }
   return result;
 }
@@ -171,14 +161,12 @@ Scene MovableObjects::placed(std::span<const MovedObject> moved, const Scene& sc
 void MovableObjects::place(std::span<const MovedObject> moved, const Scene& scene, Placement& placement) {
   set_all_next(moved, scene);
   placement.moved.clear();
-  for (const Part& part : parts_) {
-    const Instance& instance = scene.instances[part.instance];
-    const Placement::Moved there{part.instance, part.next};
-    if (instance.present && there != Placement::Moved{part.instance, instance.world_from_mesh}) {
+  for (const auto& [instance, next] : next_) {
+    const Placement::Moved there{instance, next};
+    if (there != Placement::Moved{instance, scene.instances[instance].world_from_mesh}) {
       placement.moved.push_back(there);
     }
   }
-  std::ranges::sort(placement.moved, {}, &Placement::Moved::instance);
 }
 
 }  // namespace insonify

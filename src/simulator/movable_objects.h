@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -22,11 +23,11 @@ class MovableObjects {
   /// @throws Error for an object that is not in the scene or already moves.
   void add(std::span<const Motion> motions, Scene& scene);
 
-  /// Likewise for objects among the instances from `first` on. An object may be part of another.
-  void add(std::span<const MovableObject> movable, Scene& scene, std::size_t first = 0);
+  /// Likewise for objects among the instances [first, last). An object may be part of another.
+  void add(std::span<const MovableObject> movable, Scene& scene, std::size_t first, std::size_t last);
 
-  /// Makes movable all instances from `first` on that are already marked as moving.
-  void add_marked(const Scene& scene, std::size_t first = 0);
+  /// Makes movable all instances of [first, last) that are already marked as moving.
+  void add_marked(const Scene& scene, std::size_t first, std::size_t last);
 
   /// Places objects as a request has them, and all others as the scene has them.
   /// @param placement  Its list of moved instances is replaced.
@@ -37,17 +38,13 @@ class MovableObjects {
   /// @throws Error as place().
   [[nodiscard]] Scene placed(std::span<const MovedObject> moved, const Scene& scene);
 
-  /// Removes objects whose instances have been removed from the scene.
+  /// Removes the instances that have been removed from the scene, and objects without any other. Their indices may be
+  /// those of other instances later.
   void forget_removed(const Scene& scene);
 
  private:
-  // An instance that can move.
-  struct Part {
-    int instance = 0;
-    Pose next;  // World from mesh at this ping.
-  };
   struct Piece {
-    std::size_t part = 0;
+    int instance = 0;
     Pose object_from_mesh;
   };
   struct Object {
@@ -55,13 +52,12 @@ class MovableObjects {
     std::vector<Piece> pieces;
   };
 
-  Object& add_object(const std::string& name, std::size_t first, const std::optional<Pose>& world_from_object,
-                     Scene& scene);
-  [[nodiscard]] Part* find_part(int instance);
+  Object& add_object(const std::string& name, std::size_t first, std::size_t last,
+                     const std::optional<Pose>& world_from_object, Scene& scene);
   void set_next(const MovedObject& moved, const Scene& scene);
   void set_all_next(std::span<const MovedObject> moved, const Scene& scene);
 
-  std::vector<Part> parts_;
+  std::map<int, Pose> next_;  // World from mesh at this ping, of each instance that can move.
   std::vector<Object> objects_;
 };
 

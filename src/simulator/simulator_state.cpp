@@ -17,8 +17,8 @@ Simulator::State::State(Scenario the_scenario, Scene the_scene, int threads, std
   } catch (const Error& error) {
     throw error.located(scenario.places);
   }
-  objects.add(movable, scene);
-  objects.add_marked(scene);
+  objects.add(movable, scene, 0, scene.instances.size());
+  objects.add_marked(scene, 0, scene.instances.size());
   if (scenario.surface) {
     sea.emplace(scenario, scene);
   }
@@ -53,7 +53,6 @@ void Simulator::State::load_scene() {
   }
   engine->set_scene(scene);
   runner.emplace(*engine, workers);
-  objects.forget_removed(scene);
   at_home.clear();
   for (const Instance& instance : scene.instances) {
     at_home.push_back(instance.world_from_mesh);

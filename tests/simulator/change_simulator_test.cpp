@@ -150,11 +150,11 @@ TEST_P(ChangeSimulatorTest, LabelsKeepTheirMeaning) {
   EXPECT_EQ(nearest_label(-1.2), kBall);
   simulator.remove_object("ball");
   EXPECT_EQ(nearest_label(-1.2), kFloor);
-  EXPECT_EQ(simulator.add_objects(only(kBall)), 6) << "after the five of the world and the sea's surface";
-  EXPECT_EQ(nearest_label(-1.2), 6);
-  EXPECT_EQ(simulator.scene().instances[6].name, "ball");
-  EXPECT_EQ(simulator.scene().instances[kBall].name, "ball");
+  EXPECT_EQ(simulator.add_objects(only(kBall)), kBox) << "the lowest that is free";
+  EXPECT_EQ(nearest_label(-1.2), kBox);
+  EXPECT_EQ(simulator.scene().instances[kBox].name, "ball");
   EXPECT_FALSE(simulator.scene().instances[kBall].present);
+  EXPECT_EQ(simulator.scene().instances.size(), 6U) << "the five of the world and the sea's surface";
   EXPECT_EQ(simulator.scene().materials.size(), small_world().materials.size() + 1) << "the ball's exists already";
 }
 
@@ -173,6 +173,86 @@ TEST_P(ChangeSimulatorTest, AddedObjectsCanMove) {
             "ping 0 of fls: moved[0].instance = 4 (ball) has been removed");
 }
 
+// The ball beside its place as an object of this name, with a material of its own.
+Scene buoy(const std::string& name, double reflectivity) {
+  Scene scene = only(kBall);
+  scene.instances[0].name = name;
+  scene.instances[0].world_from_mesh.position = {5, -0.8, -1.2};
+  scene.materials[0].name = name;
+  scene.materials[0].reflectivity = reflectivity;
+  return scene;
+}
+
+TEST_P(ChangeSimulatorTest, WhatHasTheIndexOfARemovedObjectIsHeardAsIfItAlwaysHad) {
+  const Scenario scenario = small_scenario(GetParam());
+  Simulator simulator(scenario, small_world(), 2, std::vector<MovableObject>{{"box"}});
+  (void)simulator.ping(0, {.moved = {{.name = "box", .world_from_object = {.position = {6, -2, -1.4}}}}});
+  simulator.remove_object("box");
+  EXPECT_EQ(simulator.add_objects(buoy("buoy", 0.3)), kBox);
+  Scene world = small_world();
+  const Scene expected = buoy("buoy", 0.3);
+  world.instances[kBox].name = "buoy";
+  world.instances[kBox].mesh = expected.instances[0].mesh;
+  world.instances[kBox].world_from_mesh = expected.instances[0].world_from_mesh;
+  world.instances[kBox].reliefs.clear();
+  world.materials[world.instances[kBox].materials[0]] = expected.materials[0];
+  expect_same(simulator.ping(0, {}), Simulator(scenario, world, 2).ping(0, {}));
+  EXPECT_EQ(message_of([&] { (void)simulator.ping(0, {.moved = {{.instance = kBox}}}); }),
+            "ping 0 of fls: moved[0].instance = 1 (buoy) is not movable; nothing is");
+  EXPECT_EQ(simulator.scene().materials, world.materials) << "the box's material is that of no instance";
+}
+
+TEST(AddObjectsTest, IndicesOfWhatIsGoneAreFreeAgain) {
+  Simulator simulator(quiet_scenario(small_sonar()), small_world(), 1);
+  const Scene added = buoy("buoy", 0.3);
+  constexpr int kMoreThanLabels = 70000;
+  for (int i = 0; i < kMoreThanLabels; ++i) {
+    ASSERT_EQ(simulator.add_objects(added), kBall + 1);
+    simulator.remove_object("buoy");
+  }
+  EXPECT_EQ(simulator.scene().instances.size(), small_world().instances.size() + 1);
+  EXPECT_EQ(simulator.scene().materials.size(), small_world().materials.size() + 1);
+}
+
+TEST(AddObjectsTest, PartsOfAnObjectHaveIndicesInARow) {
+  Simulator simulator(quiet_scenario(small_sonar()), small_world(), 1);
+  Scene pair = buoy("pair::left", 0.3);
+  pair.instances.push_back(pair.instances[0]);
+  pair.instances[1].name = "pair::right";
+  simulator.remove_object("box");
+  EXPECT_EQ(simulator.add_objects(pair), kBall + 1) << "only one is free before";
+  simulator.remove_object("ship");
+  EXPECT_EQ(simulator.add_objects(buoy("buoy", 0.3)), kBox);
+  simulator.remove_object("pair");
+  EXPECT_EQ(simulator.add_objects(pair), kHull);
+  simulator.remove_object("ball");
+  pair.instances[0].name = "pair::top";
+  pair.instances[1].name = "pair::bottom";
+  EXPECT_EQ(simulator.add_objects(pair), kBall) << "the ball's and the one after it";
+  EXPECT_EQ(simulator.scene().instances.size(), small_world().instances.size() + 2);
+}
+
+TEST(AddObjectsTest, AMovableObjectCanComeBackBeforeTheNextPing) {
+  const std::vector<MovableObject> movable = {{"ball"}};
+  Simulator simulator(quiet_scenario(small_sonar()), small_world(), 1, movable);
+  const PingRequest request{.moved = {{.name = "ball", .world_from_object = {.position = {4, 0, -1}}}}};
+  const Ping before = simulator.ping(0, request);
+  simulator.remove_object("ball");
+  simulator.add_objects(only(kBall), movable);
+  expect_same(simulator.ping(0, request), before);
+}
+
+TEST(AddObjectsTest, ASonarPreparedForOtherMaterialsIsMadeAgain) {
+  const Scenario scenario = quiet_scenario(small_sonar());
+  Simulator simulator(scenario, small_world(), 1);
+  PreparedSonar prepared = Simulator::prepare_sonar(scenario, 0, simulator.scene());
+  simulator.remove_object("ball");
+  simulator.add_objects(buoy("buoy", 0.1));  // Its material has the index of the ball's.
+  const Ping before = simulator.ping(0, {});
+  simulator.set_sonar(0, std::move(prepared));
+  expect_same(simulator.ping(0, {}), before);
+}
+
 TEST(AddObjectsTest, RefusesNamesThatAreThereAndMaterialsThatAreNot) {
   Simulator simulator(quiet_scenario(small_sonar()), small_world(), 1);
   const Ping before = simulator.ping(0, {});
@@ -182,14 +262,20 @@ TEST(AddObjectsTest, RefusesNamesThatAreThereAndMaterialsThatAreNot) {
   bare.instances[0].name = "buoy";
   bare.instances[0].materials.clear();
   EXPECT_EQ(message_of([&] { simulator.add_objects(bare); }), "buoy has no materials: assign_materials() comes first");
-  Scene buoy = only(kBall);
-  buoy.instances[0].name.clear();
-  EXPECT_EQ(message_of([&] { simulator.add_objects(buoy); }), "an object to be added has no name");
-  buoy.instances[0].name = "buoy";
-  EXPECT_EQ(message_of([&] { simulator.add_objects(buoy, std::vector<MovableObject>{{"boy"}}); }),
+  Scene nameless = only(kBall);
+  nameless.instances[0].name.clear();
+  EXPECT_EQ(message_of([&] { simulator.add_objects(nameless); }), "an object to be added has no name");
+  const Scene added = buoy("buoy", 0.7);
+  EXPECT_EQ(message_of([&] { simulator.add_objects(added, std::vector<MovableObject>{{"boy"}}); }),
             "movable[0].name = boy is not in the world; there are ball, box, buoy, floor, ship");
   EXPECT_EQ(simulator.scene().instances.size(), small_world().instances.size());
   expect_same(simulator.ping(0, {}), before);
+  simulator.remove_object("ball");
+  EXPECT_EQ(message_of([&] { simulator.add_objects(added, std::vector<MovableObject>{{"boy"}}); }),
+            "movable[0].name = boy is not in the world; there are box, buoy, floor, ship");
+  EXPECT_EQ(simulator.scene().instances.at(kBall).name, "ball");
+  EXPECT_FALSE(simulator.scene().instances.at(kBall).present);
+  EXPECT_EQ(simulator.scene().materials, small_world().materials);
 }
 
 TEST(RemoveObjectTest, RefusesWhatIsNotThere) {
