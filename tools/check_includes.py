@@ -48,10 +48,11 @@ ROOMS = {
         "stonefish": ["file", "picture", "grid", "mesh"],
         "scenario": ["file", "stonefish", "world"],
         "recording": ["file"],
+        "foreign": ["file"],
         "mcap": ["file", "message"],
         "bag": ["file"],
-        "recorded": ["file", "recording", "mcap"],
-        "reader": ["file", "picture", "grid", "mesh", "recording"],
+        "recorded": ["file", "foreign", "recording", "mcap"],
+        "reader": ["file", "foreign", "picture", "grid", "mesh", "recording"],
         "export": ["file", "picture", "message", "recorded", "bag"],
     },
     "apps": {
@@ -73,7 +74,7 @@ ROOMS = {
 ROOTS = {"apps": ("apps/insonify/", "apps/bridges/")}
 
 # Libraries that stay in one place: headers that begin so are included there and nowhere else in src/ and apps/.
-LIBRARIES = {"CLI/": "apps/insonify/console/", "boost/beast": "apps/insonify/serve/net/", "embree": "src/echo/cpu/", "assimp": "src/io/mesh/", "sdf/": "src/io/sdf/", "yaml-cpp": "src/io/scenario/", "zstd": "src/io/mcap/"}
+LIBRARIES = {"CLI/": "apps/insonify/console/", "boost/beast": "apps/insonify/serve/net/", "embree": "src/echo/cpu/", "assimp": "src/io/mesh/", "sdf/": "src/io/sdf/", "yaml-cpp": "src/io/scenario/", "zstd": "src/io/mcap/", "jpeglib": "src/io/picture/"}
 
 # The module that each public header speaks for. Those in a folder of include/insonify/ speak for the module of its name.
 PUBLIC = {
@@ -108,6 +109,7 @@ PUBLIC = {
     "ping.h": "receiver",
     "picture.h": "image",
     "channels.h": "image",
+    "waterfall.h": "image",
     "ping_request.h": "simulator",
     "scenario.h": "simulator",
     "scenario_requests.h": "simulator",

@@ -61,6 +61,7 @@
 #include "insonify/thruster.h"
 #include "insonify/version.h"
 #include "insonify/water.h"
+#include "insonify/waterfall.h"
 #include "insonify/wire/oculus_messages.h"
 #include "insonify/wire/oculus_sonar.h"
 #include "insonify/wire/ping360.h"

@@ -1,4 +1,4 @@
-// recorded_pings.h -- reads pings from recordings (HDF5, MCAP) and grey pictures from PNG files.
+// recorded_pings.h -- reads pings from recordings and from files of instruments, and grey pictures.
 
 #pragma once
 
@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "insonify/ping.h"
@@ -22,7 +23,8 @@ namespace insonify {
 /// - MCAP: a file that insonify has written (McapRecording), also an unfinished one. Its intensities are decoded from
 /// the
 ///   sonar images: exact within half a step of their levels (0.0005 dB with 16 bits), 0 at and below the lowest level,
-///   clipped at the highest. docs/reference/messages.md has the levels.
+///   clipped at the highest. docs/reference/messages.md has the levels;
+/// - foreign_recordings(), and grey pictures as one ping each: docs/reference/foreign-files.md.
 class RecordedPings {
  public:
   /// @param sonar  Name of the sonar; "" for the only one.
@@ -51,6 +53,18 @@ class RecordedPings {
   /// @throws Error with the path if the file cannot be read.
   [[nodiscard]] std::vector<double> intensity(std::uint64_t ping) const;
 
+  /// Whether its intensities are counts, integers from 0 to full_scale(), as an instrument delivers them.
+  [[nodiscard]] bool has_integers() const { return full_scale() > 1; }
+
+  /// Name of a foreign format: "Oculus", "Ping360", "XTF", "NumPy", "picture"; "" for HDF5 and MCAP.
+  [[nodiscard]] std::string foreign_format() const;
+
+  /// What was chosen of a foreign file, or left out of it: "3 pings of other ranges ... left out".
+  [[nodiscard]] std::vector<std::string> notes() const;
+
+  /// What a foreign file does not say and its settings assume: "no sound speed in it, 1500 m/s is assumed".
+  [[nodiscard]] std::vector<std::string> assumed() const;
+
   /// The greatest count of the instrument, 2^bits - 1; 0 for a recording without counts (ReceiverConfig::counts).
   [[nodiscard]] double greatest_count() const;
 
@@ -73,8 +87,21 @@ class RecordedPings {
   std::unique_ptr<State> state_;
 };
 
-/// Reads a grey PNG of up to 16 bits, scaled to 0..1 and named by its path. Fewer than 8 bits and palettes are read as
-/// 8 bits. Coloured pictures are refused, because the colour map that would turn them into levels is not in the file.
+/// Endings of the files of instruments and other programs that RecordedPings reads: ".raw, .oculus, .bin, .xtf ...".
+[[nodiscard]] std::string foreign_recordings();
+
+/// Whether a file is one of those, by its first bytes or else by its ending.
+[[nodiscard]] bool is_foreign_recording(const std::filesystem::path& path);
+
+/// Endings of the pictures that load_grey_picture() reads.
+inline constexpr std::string_view kPictureEndings = ".png, .jpg, .jpeg, .pgm";
+
+/// Whether a file is one of those, by its ending or its first bytes.
+[[nodiscard]] bool is_picture(const std::filesystem::path& path);
+
+/// Reads a grey picture, scaled to 0..1 and named by its path: PNG of up to 16 bits (fewer than 8 bits and palettes are
+/// read as 8 bits), JPEG, PGM with any greatest level. Coloured pictures are refused, because the colour map that would
+/// turn them into levels is not in the file.
 /// @throws Error with the path; for a coloured or transparent pixel with its place.
 [[nodiscard]] GreyPicture load_grey_picture(const std::filesystem::path& path);
 

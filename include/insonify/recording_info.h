@@ -49,7 +49,7 @@ struct RecordedSonar {
 };
 
 struct RecordingInfo {
-  std::string format = {};  ///< "HDF5" or "MCAP".
+  std::string format = {};  ///< "HDF5", "MCAP", or RecordedPings::foreign_format().
   RecordingState state = RecordingState::kWhole;
   std::uint64_t bytes = 0;   ///< Size of the file.
   std::string version = {};  ///< Version of insonify that wrote it.
@@ -63,7 +63,8 @@ struct RecordingInfo {
   std::vector<std::string> contents = {};  ///< Tables of an HDF5 file, topics of an MCAP file.
 };
 
-/// Reads .h5, .hdf5 and .mcap files recorded by insonify, also unfinished ones (with names in .new).
+/// Reads .h5, .hdf5 and .mcap files recorded by insonify, also unfinished ones (with names in .new), and foreign
+/// recordings (recorded_pings.h), of whose several sonars the first.
 /// @throws Error with the path for anything else.
 [[nodiscard]] RecordingInfo recording_info(const std::filesystem::path& path);
 

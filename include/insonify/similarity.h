@@ -56,9 +56,17 @@ inline constexpr int kSsimSide = 11;
 /// 2 pixels of the previous one; an odd last row or column is dropped. Negative terms count as 0. Z. Wang, E. P.
 /// Simoncelli and A. C. Bovik, "Multi-scale structural similarity for image quality assessment", 37th Asilomar
 /// Conference (2003), eq. (7).
-/// @throws Error for pictures of fewer than kMsSsimSide pixels a side: the coarsest scale must hold one window.
+///
+/// Each scale must hold one window. Of a picture with a side below kMsSsimSide the ms_ssim_scales() finest are taken.
+/// Their weights are divided by their sum, which must be 1 for values of different scales to be comparable (ibid.,
+/// after eq. (7)); with a single scale it is SSIM.
+/// @throws Error for pictures of fewer than kSsimSide pixels a side.
 [[nodiscard]] double ms_ssim(const GreyPicture& a, const GreyPicture& b);
-inline constexpr int kMsSsimSide = kSsimSide << 4;
+inline constexpr int kMsSsimScales = 5;
+inline constexpr int kMsSsimSide = kSsimSide << (kMsSsimScales - 1);  ///< From here on there are all scales [pixels].
+
+/// Scales of MS-SSIM that a picture has room for, 0 to kMsSsimScales.
+[[nodiscard]] int ms_ssim_scales(int columns, int rows);
 
 /// Pearson correlation of the pixels, -1 to 1; independent of gain and offset. 0 if a picture is constant.
 [[nodiscard]] double correlation(const GreyPicture& a, const GreyPicture& b);
@@ -70,12 +78,12 @@ inline constexpr int kMsSsimSide = kSsimSide << 4;
 [[nodiscard]] double ks_distance(std::span<const double> a, std::span<const double> b);
 
 struct SimilarityOptions {
-  bool ms_ssim = true;  ///< Whether to compute MS-SSIM; false for pictures that are too small for it.
+  bool ms_ssim = true;  ///< Whether to compute MS-SSIM, which takes longest.
 };
 
 /// Checks that a picture can be compared by all measures.
 /// @throws Error with its name and numbers for one that is too small, constant, or not from 0 to 1.
-void check_comparable(const GreyPicture& picture, const SimilarityOptions& options = {});
+void check_comparable(const GreyPicture& picture);
 
 /// All measures of a picture b against a picture a.
 /// @throws Error with names and numbers, also for two of unequal shape.
@@ -120,7 +128,7 @@ void Similarity::visit_fields(Self& self, Visit&& visit) {
   visit(Field{"mse", "", from_to(0, 1), "Mean squared difference."}, self.mse);
   visit(Field{"psnr_db", "dB", at_least(0), "The same in decibels."}, self.psnr_db);
   visit(Field{"ssim", "", from_to(-1, 1), "Local structure."}, self.ssim);
-  visit(Field{"ms_ssim", "", from_to(0, 1), "Structure at five scales."}, self.ms_ssim);
+  visit(Field{"ms_ssim", "", from_to(0, 1), "Structure at several scales."}, self.ms_ssim);
   visit(Field{"correlation", "", from_to(-1, 1), "Rise and fall together."}, self.correlation);
   visit(Field{"ks_distance", "", from_to(0, 1), "Difference of histograms."}, self.ks_distance);
 }

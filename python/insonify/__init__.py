@@ -60,7 +60,10 @@ fan = draw_fan
 def open(path: str | os.PathLike[str], sonar: str | None = None) -> RecordedPings:
     """Opens a recording (HDF5, MCAP): a RecordedPings, whose pings and layers are read on demand.
 
-    sonar: name of the sonar in an MCAP file with several.
+    Also opens files of instruments (Oculus .raw, Ping360 .bin, XTF) and NumPy's arrays (.npy, .npz): `intensity` is what
+    the file stores, mostly counts of 8 bits, and `notes` says what was left out or assumed.
+
+    sonar: name of the sonar in a file with several.
 
     Warns (insonify.Warning) of a recording that ends before its run did, because that was killed or the disk was full;
     the recording's `state` says so too.

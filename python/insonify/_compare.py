@@ -13,23 +13,24 @@ from ._insonify import Error, Ping, RecordedPings, similarity
 if TYPE_CHECKING:
     from ._insonify.similarity import Similarity
 
-Side = Union[RecordedPings, Ping, npt.ArrayLike, "str | os.PathLike[str]"]
+PICTURES = (".png", ".jpg", ".jpeg", ".pgm")
 
-SMALLEST_FOR_MS_SSIM = 176  # [pixels]
+Side = Union[RecordedPings, Ping, npt.ArrayLike, "str | os.PathLike[str]"]
 
 
 def compare(a: Side, b: Side, pings: Sequence[int] | None = None, scale: str | None = None, floor_db: float = -50.0,
             full_scale: float | None = None, ms_ssim: bool = True) -> Similarity:
     """Similarity of b to a: a Similarity, each measure averaged over the compared pings.
 
-    a, b: a recording (RecordedPings, or the path of one), a Ping, an array [rows, columns] of levels from 0 to 1, or the
-        path of a grey PNG. A single picture is compared with every ping of a recording. Pings of a single beam are
-        compared side by side, as one picture.
+    a, b: a recording (RecordedPings, or the path of one: insonify.open has the formats), a Ping, an array [rows, columns]
+        of levels from 0 to 1, or the path of a grey picture (PNG, JPEG, PGM). A single picture is compared with every
+        ping of a recording. Pings of a single beam are compared side by side, as one picture. Counts of 8 or 16 bits are
+        divided by the greatest.
     pings: numbers of the pings to compare; None: all that are in both recordings.
     scale: "db" or "linear"; None: db if both are of the calibrated model.
     floor_db: level that counts as 0 on a decibel scale [dB re full scale], < 0.
     full_scale: intensity that counts as 1; None: the largest of both if both are calibrated, else 1.
-    ms_ssim: False to skip that measure (NaN); it is skipped for pictures of fewer than 176 x 176 pixels.
+    ms_ssim: False to skip that measure (NaN). Pictures of fewer than 176 x 176 pixels have fewer than five scales.
 
     Raises Error for pictures of unequal shape, for constant ones, and for intensities beyond full scale.
     """
@@ -58,8 +59,8 @@ def compare(a: Side, b: Side, pings: Sequence[int] | None = None, scale: str | N
 
     pictures = [_pictures(one, wanted, levels) for one in (left, right)]
     count = max(len(each) for each in pictures)
-    found = [_compared(pictures[0][i if len(pictures[0]) > 1 else 0], pictures[1][i if len(pictures[1]) > 1 else 0],
-                       ms_ssim) for i in range(count)]
+    found = [similarity.compare_pictures(pictures[0][i if len(pictures[0]) > 1 else 0],
+                                         pictures[1][i if len(pictures[1]) > 1 else 0], ms_ssim) for i in range(count)]
     return similarity._mean(found)
 
 
@@ -67,7 +68,7 @@ def _open(side: Any) -> Any:
     if not isinstance(side, (str, os.PathLike)):
         return side if isinstance(side, (RecordedPings, Ping)) else np.asarray(side, dtype=np.float64)
     path = os.fspath(side)
-    return similarity.load_grey_picture(path) if path.lower().endswith(".png") else RecordedPings(path)
+    return similarity.load_grey_picture(path) if path.lower().endswith(PICTURES) else RecordedPings(path)
 
 
 def _common_pings(left: Any, right: Any, wanted: Sequence[int] | None) -> list[int]:
@@ -93,10 +94,10 @@ def _pictures(side: Any, wanted: list[int], levels: Any) -> list[npt.NDArray[np.
     if not isinstance(side, RecordedPings):
         return [side]
     if side.shape[2] == 1:
-        return [levels(np.concatenate([side.intensity[number] for number in wanted], axis=1))]
-    return [levels(side.intensity[number]) for number in wanted]
+        return [levels(np.concatenate([_fractions(side, number) for number in wanted], axis=1))]
+    return [levels(_fractions(side, number)) for number in wanted]
 
 
-def _compared(a: npt.NDArray[np.float64], b: npt.NDArray[np.float64], ms_ssim: bool) -> Similarity:
-    large = a.ndim == 2 and min(a.shape) >= SMALLEST_FOR_MS_SSIM
-    return similarity.compare_pictures(a, b, ms_ssim and large)
+def _fractions(recording: RecordedPings, number: int) -> npt.NDArray[np.float64]:
+    fractions: npt.NDArray[np.float64] = np.asarray(recording.intensity[number], dtype=np.float64) / recording.full_scale
+    return fractions

@@ -182,7 +182,8 @@ void bind_recording(py::module_& module) {
       module, "RecordedPings",
       "A recording's pings, read on demand: rec[3], len(rec), `for ping in rec`.\n\n"
       "path: an HDF5 or MCAP file as `insonify run` writes, perhaps still growing: it has the pings that it had when "
-      "it was opened. sonar: which one of an MCAP file that holds several. Raises Error for a file that is none, and "
+      "it was opened; or a foreign file: see insonify.open(). sonar: which one of a file that holds several. Raises "
+      "Error for a file that is none, and "
       "for a sonar that it does not have, naming those that it has.\n\n"
       "MCAP has no ground truth, and intensities as levels: rec.intensity.description says their steps, 0.0009 dB by "
       "default; 0 below the lowest level, clipped at the highest.\n\n"
@@ -211,6 +212,19 @@ void bind_recording(py::module_& module) {
       .def_property_readonly(
           "model", [](const PythonRecording& self) { return self.pings.model(); },
           "calibrated or paper; \"\" if unknown.")
+      .def_property_readonly(
+          "full_scale", [](const PythonRecording& self) { return self.pings.full_scale(); },
+          "The greatest count where intensities are integers: 255 for 8 bits; else 1.")
+      .def_property_readonly(
+          "notes",
+          [](const PythonRecording& self) {
+            std::vector<std::string> notes = self.pings.notes();
+            for (std::string& text : self.pings.assumed()) {
+              notes.push_back(std::move(text));
+            }
+            return notes;
+          },
+          "Of a foreign file: what was chosen of it or left out, and what it does not say and its settings assume.")
       .def_property_readonly(
           "state", [](const PythonRecording& self) { return state_word(self.state); },
           "How it ended, as it was when it was opened: \"whole\"; \"growing\" while a run writes it; \"unfinished\" "

@@ -87,7 +87,8 @@ void bind_similarity(py::module_& module) {
               "Structural similarity, -1 to 1, of pictures of at least 11 x 11 pixels. Wang, Bovik, Sheikh and "
               "Simoncelli, IEEE Trans. Image Processing 13(4), 600 (2004).");
   add_measure(m, "ms_ssim", &ms_ssim,
-              "Structural similarity at five scales, 0 to 1, of pictures of at least 176 x 176 pixels. Wang, "
+              "Structural similarity at five scales, 0 to 1; at fewer, with their weights divided by their sum, for "
+              "pictures of fewer than 176 x 176 pixels, of which at least 11 x 11 are needed. Wang, "
               "Simoncelli and Bovik, 37th Asilomar Conference (2003).");
   add_measure(m, "correlation", &correlation, "Pearson correlation of the pixels, -1 to 1; 0 for a constant picture.");
   m.def(
@@ -104,8 +105,8 @@ void bind_similarity(py::module_& module) {
         return compare_pictures(picture_from(a, "a"), picture_from(b, "b"), {.ms_ssim = with_ms_ssim});
       },
       py::arg("a"), py::arg("b"), py::arg("ms_ssim") = true,
-      "All measures of picture b against picture a: a Similarity. ms_ssim: False for pictures too small for it, NaN "
-      "then. Raises Error for a picture that is constant or not from 0 to 1.");
+      "All measures of picture b against picture a: a Similarity. ms_ssim: False to skip that measure, NaN then. "
+      "Raises Error for a picture that is constant or not from 0 to 1.");
   m.def(
       "_mean",
       [](const std::vector<Similarity>& all) {

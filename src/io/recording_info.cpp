@@ -34,10 +34,11 @@ RecordingState state_of(const std::filesystem::path& path, const McapReader& fil
   return file.metadata().contains(mcap_metadata::kEnd) ? RecordingState::kDiskFull : state_of(path, file.is_whole());
 }
 
-RecordingInfo info_of_hdf5(const std::filesystem::path& path) {
-  const std::unique_ptr<RecordedTables> opened = open_hdf5(path);
+RecordingInfo info_of_tables(const std::filesystem::path& path) {
+  const std::unique_ptr<RecordedTables> opened = open_strangers(path);
   const RecordedTables& tables = *opened;
-  RecordingInfo info{.format = "HDF5", .bytes = std::filesystem::file_size(path)};
+  const std::string format = tables.text("format");
+  RecordingInfo info{.format = format.empty() ? "HDF5" : format, .bytes = std::filesystem::file_size(path)};
   info.state = state_of(path, tables);
   info.version = tables.text("version");
   info.model = tables.text("model");
@@ -94,13 +95,13 @@ RecordingInfo info_of_mcap(const std::filesystem::path& path) {
 
 RecordingState recording_state(const std::filesystem::path& path) {
   check_input_file(path);
-  return is_mcap(path) ? state_of(path, McapReader(path)) : state_of(path, *open_hdf5(path));
+  return is_mcap(path) ? state_of(path, McapReader(path)) : state_of(path, *open_strangers(path));
 }
 
 RecordingInfo recording_info(const std::filesystem::path& path) {
   check_input_file(path);
   try {
-    return is_mcap(path) ? info_of_mcap(path) : info_of_hdf5(path);
+    return is_mcap(path) ? info_of_mcap(path) : info_of_tables(path);
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {  // A damaged file, by what found it: a configuration, a parser ...

@@ -49,13 +49,10 @@ void check_side(const GreyPicture& picture, int side, const char* measure) {
   }
 }
 
-void check_comparable(const GreyPicture& picture, const SimilarityOptions& options) {
+void check_comparable(const GreyPicture& picture) {
   check_table(picture);
   check_levels(picture);
   check_side(picture, kSsimSide, "SSIM");
-  if (options.ms_ssim) {
-    check_side(picture, kMsSsimSide, "MS-SSIM");
-  }
   const auto [least, most] = std::ranges::minmax(picture.values);
   if (least == most) {
     throw Error(fmt::format("{}: every value is {:.6g}; there is nothing to compare in a constant picture",

@@ -110,13 +110,13 @@ NormalisedSimilarity normalised(const Similarity& similarity) {
 
 Similarity compare_pictures(const GreyPicture& a, const GreyPicture& b, const SimilarityOptions& options) {
   check_pair(a, b);
-  check_comparable(a, options);
-  check_comparable(b, options);
+  check_comparable(a);
+  check_comparable(b);
   return measured(a, b, options);
 }
 
 ControlSimilarities compare_controls(const GreyPicture& picture, const SimilarityOptions& options) {
-  check_comparable(picture, options);
+  check_comparable(picture);
   return {.flat_grey = measured(picture, flat_grey(picture), options),
           .range_profile = measured(picture, mean_range_profile(picture), options),
           .pixel_shuffle = measured(picture, pixel_shuffle(picture), options)};

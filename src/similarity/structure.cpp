@@ -1,7 +1,9 @@
-// structure.cpp -- structural similarity: SSIM, and MS-SSIM at five scales.
+// structure.cpp -- structural similarity: SSIM, and MS-SSIM at up to five scales.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "similarity/check_pictures.h"
 
@@ -120,18 +122,28 @@ double ssim(const GreyPicture& a, const GreyPicture& b) {
   return structure(Plane(a), Plane(b)).all;
 }
 
+int ms_ssim_scales(int columns, int rows) {
+  int scales = 0;
+  while (scales < kMsSsimScales && std::min(columns, rows) >> scales >= kSsimSide) {
+    ++scales;
+  }
+  return scales;
+}
+
 double ms_ssim(const GreyPicture& a, const GreyPicture& b) {
   // Weights of the scales, finest first, which Wang, Simoncelli and Bovik found in experiments with viewers. They sum
   // to 1.0001, as printed.
-  static constexpr std::array kWeights = {0.0448, 0.2856, 0.3001, 0.2363, 0.1333};
+  static constexpr std::array<double, kMsSsimScales> kWeights = {0.0448, 0.2856, 0.3001, 0.2363, 0.1333};
   check_pair(a, b);
-  check_side(a, kMsSsimSide, "MS-SSIM");
+  check_side(a, kSsimSide, "MS-SSIM");
+  const int scales = ms_ssim_scales(a.columns, a.rows);
+  const double sum = scales == kMsSsimScales ? 1 : std::accumulate(kWeights.begin(), kWeights.begin() + scales, 0.0);
   Plane plane_a(a), plane_b(b);
   double result = 1;
-  for (std::size_t scale = 0; scale < kWeights.size(); ++scale) {
-    const bool coarsest = scale + 1 == kWeights.size();
+  for (int scale = 0; scale < scales; ++scale) {
+    const bool coarsest = scale + 1 == scales;
     const Structure found = structure(plane_a, plane_b);
-    result *= std::pow(std::max(0.0, coarsest ? found.all : found.pattern), kWeights[scale]);
+    result *= std::pow(std::max(0.0, coarsest ? found.all : found.pattern), kWeights[scale] / sum);
     if (!coarsest) {
       plane_a = halved(plane_a);
       plane_b = halved(plane_b);

@@ -47,6 +47,14 @@ void put_fire(Bytes& bytes, const OculusFire& fire) {
   }
 }
 
+void get_fire(PacketReader& reader, OculusFire& fire) {
+  reader.get(fire.mode, fire.ping_rate, fire.network_speed, fire.gamma, fire.flags, fire.range, fire.gain,
+             fire.sound_speed, fire.salinity);
+  if (fire.layout == 2) {
+    reader.get(fire.extended_flags, fire.reserved);
+  }
+}
+
 void check(const char* name, double value, const Limits& limits) {
   if (!limits.allow(value)) {
     throw Error(fmt::format("{} = {} must be {}", name, value, limits.text()));
@@ -117,11 +125,7 @@ OculusFire decode_fire(const OculusMessage& message) {
   PacketReader reader(message.payload);
   OculusFire fire;
   fire.layout = second ? 2 : 1;
-  reader.get(fire.mode, fire.ping_rate, fire.network_speed, fire.gamma, fire.flags, fire.range, fire.gain,
-             fire.sound_speed, fire.salinity);
-  if (second) {
-    reader.get(fire.extended_flags, fire.reserved);
-  }
+  get_fire(reader, fire);
 
   check("mode", fire.mode, from_to(1, 2));
   check("ping rate", fire.ping_rate, from_to(0, kOculusStandby));
@@ -171,6 +175,82 @@ Bytes encode(const OculusPing& ping) {
   put_all(bytes, ping.bearings);
   bytes.insert(bytes.end(), ping.image.begin(), ping.image.end());
   return bytes;
+}
+
+namespace {
+
+void check_part(std::span<const std::uint8_t> message, const char* what, std::size_t from, std::size_t count) {
+  if (from > message.size() || count > message.size() - from) {
+    throw Error(fmt::format("{} of {} bytes from byte {} on must lie in the message of {} bytes", what, count, from,
+                            message.size()));
+  }
+}
+
+// Where the image of a ping lies in its message, and of what pixels it is.
+struct StoredImage {
+  std::uint32_t offset = 0, size = 0;
+  std::uint8_t pixel_type = 0;  // 0: 8 bits, 1: 16 bits.
+  std::uint16_t beams = 0;
+};
+
+// Reads what is before the bearings.
+StoredImage get_ping_head(PacketReader& reader, OculusPing& ping) {
+  StoredImage image;
+  std::uint32_t status = 0, size = 0;
+  get_fire(reader, ping.fire);
+  reader.get(ping.number, status, ping.frequency, ping.temperature_c, ping.pressure_bar);
+  if (ping.fire.layout == 2) {
+    reader.get(ping.heading_deg, ping.pitch_deg, ping.roll_deg, ping.sound_speed, ping.start_time);
+  } else {
+    std::uint32_t microseconds = 0;
+    reader.get(ping.sound_speed, microseconds);
+    ping.start_time = microseconds / kMicroseconds;
+  }
+  reader.get(image.pixel_type, ping.range_resolution, ping.range_count, image.beams);
+  if (ping.fire.layout == 2) {
+    std::array<std::uint32_t, 4> reserved{};
+    reader.get(reserved);
+  }
+  reader.get(image.offset, image.size, size);
+  return image;
+}
+
+}  // namespace
+
+OculusPing decode_ping(std::span<const std::uint8_t> message) {
+  check_part(message, "header", 0, kPingMessage);
+  PacketReader reader(message);
+  OculusPing ping;
+  std::uint16_t check = 0, destination = 0, id = 0, version = 0, reserved = 0;
+  std::uint32_t payload = 0;
+  reader.get(check, ping.device, destination, id, version, payload, reserved);
+  if (check != kCheck || id != kOculusPing) {
+    throw Error(fmt::format("is not a simple ping result: its id is 0x{:02x}, must be 0x{:02x}", id, kOculusPing));
+  }
+  ping.fire.layout = version == 2 ? 2 : 1;
+  const std::size_t head = version == 2 ? kPingMessage2 : kPingMessage;
+  check_part(message, "header", 0, head);
+  const StoredImage stored = get_ping_head(reader, ping);
+  if (stored.pixel_type > 1) {
+    throw Error(fmt::format("pixels of type {} must be of type 0 (8 bits) or 1 (16 bits)", stored.pixel_type));
+  }
+  ping.fire.flags =
+      static_cast<std::uint8_t>((ping.fire.flags & ~kOculus16Bits) | (stored.pixel_type == 1 ? kOculus16Bits : 0));
+  const std::size_t row =
+      std::size_t{stored.beams} * (stored.pixel_type + 1U) + (ping.fire.has(kOculusGainSent) ? 4 : 0);
+  if (stored.beams == 0 || ping.range_count == 0 || stored.size != row * ping.range_count) {
+    throw Error(fmt::format("image of {} bytes must have {}, {} rows of {}", stored.size, row * ping.range_count,
+                            ping.range_count, row));
+  }
+  check_part(message, "bearings", head, 2 * std::size_t{stored.beams});
+  ping.bearings.resize(stored.beams);
+  for (std::int16_t& bearing : ping.bearings) {
+    reader.get(bearing);
+  }
+  check_part(message, "image", stored.offset, stored.size);
+  const std::span<const std::uint8_t> image = message.subspan(stored.offset, stored.size);
+  ping.image.assign(image.begin(), image.end());
+  return ping;
 }
 
 Bytes encode(const OculusStatus& status) {

@@ -117,15 +117,22 @@ TEST_F(CompareTest, ControlsThatAreNoWorseAreMarked) {
               ContainsRegex("\nflat grey +[0-9.]+ \\* +[0-9.]+ \\* +[0-9.]+ \\* +[0-9.]+"));
 }
 
-TEST_F(CompareTest, SmallPicturesAreComparedWithoutMsSsim) {
+TEST_F(CompareTest, SmallPicturesHaveFewerScalesOfMsSsim) {
   const GreyPicture small = waves_and_squares(64);
   write_picture("a.png", small);
   write_picture("b.png", shifted(small));
   const json told = compared("a.png b.png");
-  EXPECT_TRUE(told.at("ms_ssim").is_null());
-  EXPECT_TRUE(told.at("normalised").at("ms_ssim").is_null());
+  EXPECT_EQ(told.at("ms_ssim_scales"), 3);
+  EXPECT_NEAR(told.at("ms_ssim").get<double>(), ms_ssim(load_grey_picture("a.png"), load_grey_picture("b.png")),
+              kExact);
   EXPECT_NEAR(told.at("ssim").get<double>(), ssim(load_grey_picture("a.png"), load_grey_picture("b.png")), kExact);
-  EXPECT_THAT(shell("insonify compare a.png b.png").out, ContainsRegex("\nms_ssim +- +- +1 "));
+  EXPECT_THAT(
+      shell("insonify compare a.png b.png").out,
+      ContainsRegex("\nms_ssim +0.9[0-9]* +0.9[0-9]* +1 +structure at 3 of five scales: the pictures are small\n"));
+  const json skipped = compared("a.png b.png --no-ms-ssim");
+  EXPECT_TRUE(skipped.at("ms_ssim").is_null());
+  EXPECT_TRUE(skipped.at("normalised").at("ms_ssim").is_null());
+  EXPECT_EQ(skipped.at("ms_ssim_scales"), 0);
 }
 
 // ---------------------------------------------------------------- Recordings
@@ -293,7 +300,9 @@ constexpr Refusal kRefusals[] = {
     {"Constant", "a.png flat.png", "flat.png: every value is 0.2; there is nothing to compare in a constant picture"},
     {"Coloured", "colour.png a.png",
      "colour.png: the pixel in column 0, row 0 is coloured; a comparison needs a grey picture"},
-    {"OfUnknownKind", "a.png a.bmp", "a.bmp: is neither a recording (.h5, .mcap) nor a picture (.png)"},
+    {"OfUnknownKind", "a.png a.bmp",
+     "a.bmp: is neither a recording (.h5, .mcap, .raw, .oculus, .bin, .xtf, .npy, .npz) nor a picture (.png, .jpg, "
+     ".jpeg, .pgm)"},
     {"AboveFullScale", "a.h5 loud.h5",
      "loud.h5 ping 1: an intensity is 1.2; it must be from 0 to full scale, 1 (--full-scale)"},
     {"ConstantPing", "a.h5 silent.h5",

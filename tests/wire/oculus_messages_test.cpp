@@ -2,14 +2,17 @@
 
 #include "insonify/wire/oculus_messages.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <numeric>
 #include <random>
 
 #include "insonify/error.h"
+#include "support/message_of.h"
 
 namespace insonify::oculus_messages_test {
 namespace {
@@ -243,6 +246,42 @@ TEST(OculusMessagesTest, StatusMessagesHave142Bytes) {
   EXPECT_EQ(at<double>(bytes, 126), 7.5);
   EXPECT_EQ(at<double>(bytes, 134), 3.25);
   EXPECT_THAT(oculus_user_config(status).payload, ElementsAre(192, 168, 2, 3, 255, 255, 0, 0, 0, 0, 0, 0));
+}
+
+TEST(OculusMessagesTest, PingsAreDecodedAsTheyWereEncoded) {
+  for (const int layout : {1, 2}) {
+    OculusPing ping;
+    ping.device = 9;
+    ping.number = 77;
+    ping.frequency = 1.2e6;
+    ping.fire.layout = layout;
+    ping.fire.flags = kOculusRangeInMetres | kOculus16Bits | kOculusGainSent;
+    ping.fire.range = 20;
+    ping.sound_speed = 1480;
+    ping.start_time = 12.5;
+    ping.range_resolution = 0.25;
+    ping.range_count = 2;
+    ping.bearings = {-3000, 0, 3000};
+    ping.image.resize(2 * (4 + 3 * 2));
+    std::iota(ping.image.begin(), ping.image.end(), std::uint8_t{1});
+    const Bytes bytes = encode(ping);
+    const OculusPing back = decode_ping(bytes);
+    EXPECT_EQ(back.fire, ping.fire);
+    EXPECT_EQ(back.device, 9);
+    EXPECT_EQ(back.number, 77U);
+    EXPECT_EQ(back.frequency, 1.2e6);
+    EXPECT_EQ(back.sound_speed, 1480);
+    EXPECT_EQ(back.start_time, 12.5);
+    EXPECT_EQ(back.range_resolution, 0.25);
+    EXPECT_EQ(back.range_count, 2);
+    EXPECT_EQ(back.bearings, ping.bearings);
+    EXPECT_EQ(back.image, ping.image);
+    EXPECT_EQ(message_of([&] { static_cast<void>(decode_ping(std::span(bytes).first(50))); }),
+              "header of 122 bytes from byte 0 on must lie in the message of 50 bytes");
+    EXPECT_EQ(message_of([&] { static_cast<void>(decode_ping(std::span(bytes).first(bytes.size() - 1))); }),
+              fmt::format("image of 20 bytes from byte {} on must lie in the message of {} bytes", bytes.size() - 20,
+                          bytes.size() - 1));
+  }
 }
 
 // Whatever arrives, what is obeyed is within its limits.

@@ -24,7 +24,7 @@ struct CompareOptions {
   // When absent: the largest intensity of both recordings in the calibrated model, else 1.
   std::optional<double> full_scale;
   bool counts = false;      // Compare the counts of recordings, linear from 0 to the greatest.
-  bool no_ms_ssim = false;  // Do not compute MS-SSIM where pictures are large enough.
+  bool no_ms_ssim = false;  // Do not compute MS-SSIM.
   bool json = false;
 };
 
@@ -98,6 +98,22 @@ std::string differing(const CompareSource& a, const CompareSource& b) {
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
+// Counts are amplitude or decibels on a scale of the instrument's, and intensities are power: of unequal kinds, levels
+// differ even where the echoes agree. The paper's model makes levels.
+std::string hint(const CompareSource& a, const CompareSource& b) {
+  if (a.has_counts() == b.has_counts() || a.is_of_the_paper() || b.is_of_the_paper()) {
+    return "";
+  }
+  const CompareSource& counts = a.has_counts() ? a : b;
+  const CompareSource& intensities = a.has_counts() ? b : a;
+  return fmt::format("{} has counts, {} intensities: their levels differ even where echoes agree; {}", counts.name(),
+                     intensities.name(),
+                     intensities.has_both() ? "--counts compares the counts of both"
+                     : intensities.is_calibrated()
+                         ? "--counts compares counts, which receiver.counts: true adds to a simulation"
+                         : "compare counts with counts, or intensities with intensities");
+}
+
 // Mean of each measure.
 template <typename Measures>
 Measures mean(const std::vector<Measures>& all) {
@@ -120,11 +136,11 @@ class Tally {
   Tally(Comparison& comparison, bool ms_ssim) : comparison_(comparison), options_{.ms_ssim = ms_ssim} {}
 
   void add(const GreyPicture& a, const GreyPicture& b) {
-    options_.ms_ssim = options_.ms_ssim && std::min(a.columns, a.rows) >= kMsSsimSide;
     const Similarity found = compare_pictures(a, b, options_);
     const ControlSimilarities controls = compare_controls(a, options_);
     comparison_.columns = a.columns;
     comparison_.rows = a.rows;
+    comparison_.ms_ssim_scales = options_.ms_ssim ? ms_ssim_scales(a.columns, a.rows) : 0;
     comparison_.each.push_back(found);
     normalised_.push_back(normalised(found));
     flat_grey_.push_back(controls.flat_grey);
@@ -157,6 +173,10 @@ Comparison compared(const CompareOptions& options) {
   comparison.a = a.name();
   comparison.b = b.name();
   comparison.sonar = a.sonar().empty() ? b.sonar() : a.sonar();
+  for (const CompareSource* source : {&a, &b}) {
+    const std::vector<std::string> notes = source->notes();
+    comparison.notes.insert(comparison.notes.end(), notes.begin(), notes.end());
+  }
   Tally tally(comparison, !options.no_ms_ssim);
   if (!a.is_recording() && !b.is_recording()) {
     if (!options.sonar.empty() || !options.pings.empty()) {
@@ -167,6 +187,7 @@ Comparison compared(const CompareOptions& options) {
     comparison.pings = chosen_pings(a, b, options.pings);
     comparison.unmatched = options.pings.empty() ? unmatched(a, b) : "";
     comparison.differing = differing(a, b);
+    comparison.hint = hint(a, b);
     comparison.levels = levels_of(options, a, b, comparison.pings);
     a.set_levels(comparison.levels);
     b.set_levels(comparison.levels);
@@ -189,7 +210,9 @@ void add_compare(const Command& program) {
   const Command command = program.add("compare", "Compare two recordings or two grey pictures");
   auto& options = command.keep<CompareOptions>();
   command.argument("A", &options.a,
-                   fmt::format("Recording ({}), folder of recordings, or grey picture (.png)", readable_recordings()));
+                   fmt::format("Recording ({}), folder of recordings, file of an instrument or arrays ({}), or grey "
+                               "picture ({})",
+                               readable_recordings(), foreign_recordings(), kPictureEndings));
   command.argument("B", &options.b, "The same, of the same shape, compared with A");
   command.option("--sonar", "NAME", &options.sonar,
                  "Which recording of a folder, or which sonar of a recording that has several");
@@ -205,7 +228,7 @@ void add_compare(const Command& program) {
                  number_within({.least = -300, .most = 0, .most_allowed = false}));
   command.flag("--counts", &options.counts,
                "Compare the counts of recordings, as the instrument delivers them: linear, up to the greatest");
-  command.flag("--no-ms-ssim", &options.no_ms_ssim, "Skip MS-SSIM (always skipped below 176 x 176)");
+  command.flag("--no-ms-ssim", &options.no_ms_ssim, "Skip MS-SSIM (below 176 x 176 it has fewer than five scales)");
   command.flag("--json", &options.json, "As JSON, with the numbers of each ping");
   command.footer(
       "Prints MSE, PSNR, SSIM, MS-SSIM, correlation and the distance of the histograms, as means over the pings; "
@@ -214,6 +237,7 @@ void add_compare(const Command& program) {
       "Examples:\n"
       "  insonify compare real.h5 simulated.h5 --ping 0 --ping 5\n"
       "  insonify compare out_a out_b --sonar fls --json\n"
+      "  insonify compare dive.raw out/fls.h5 --counts --ping 0\n"
       "  insonify compare real.png simulated.png");
   command.act([&options] {
     return checked_input([&] {

@@ -58,6 +58,15 @@ std::string words(std::string_view help) {
   return text;
 }
 
+std::string meaning(const Measure& measure, const Comparison& comparison) {
+  if (measure.field.name != "ms_ssim" || comparison.ms_ssim_scales == 0) {
+    return words(measure.field.help);
+  }
+  return comparison.ms_ssim_scales == kMsSsimScales
+             ? "structure at five scales"
+             : fmt::format("structure at {} of five scales: the pictures are small", comparison.ms_ssim_scales);
+}
+
 std::string heading(const Comparison& comparison) {
   const std::string shape =
       fmt::format("{} x {}", counted(comparison.columns, "column"), counted(comparison.rows, "row"));
@@ -100,7 +109,7 @@ void print_similarity(const Comparison& comparison) {
   for (const Measure& measure : measures(comparison.similarity)) {
     const std::size_t i = rows.size() - 1;
     rows.push_back({std::string(measure.field.name), number(measure.value), i < normalised.size() ? normalised[i] : "",
-                    number(equal[i].value), words(measure.field.help)});
+                    number(equal[i].value), meaning(measure, comparison)});
   }
   print_table(rows);
 }
@@ -158,6 +167,12 @@ void print_comparison(const Comparison& comparison) {
   if (const std::string line = levels_line(comparison); !line.empty()) {
     say("{}\n", line);
   }
+  for (const std::string& note : comparison.notes) {
+    say("note: {}\n", note);
+  }
+  if (!comparison.hint.empty()) {
+    say("hint: {}\n", comparison.hint);
+  }
   if (!comparison.differing.empty()) {
     say("warning: different {}; pixels of the same bin and beam are compared all the same\n", comparison.differing);
   }
@@ -179,6 +194,13 @@ void print_comparison_json(const Comparison& comparison) {
   if (!comparison.differing.empty()) {
     json["differing"] = comparison.differing;
   }
+  if (!comparison.notes.empty()) {
+    json["notes"] = comparison.notes;
+  }
+  if (!comparison.hint.empty()) {
+    json["hint"] = comparison.hint;
+  }
+  json["ms_ssim_scales"] = comparison.ms_ssim_scales;
   json.update(to_json(comparison.similarity));
   NormalisedSimilarity::visit_fields(comparison.normalised, [&](const Field& field, double value) {
     json["normalised"][std::string(field.name)] =

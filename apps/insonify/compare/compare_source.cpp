@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "insonify/error.h"
@@ -45,6 +46,13 @@ std::filesystem::path find_recording(const std::filesystem::path& folder, const 
   return found.at(wanted);
 }
 
+// 255 or 65535 if all numbers are whole and at most that, as counts in floating-point numbers; else 0.
+double greatest_of_counts(const std::vector<double>& values) {
+  const bool whole = std::ranges::all_of(values, [](double value) { return value >= 0 && value == std::floor(value); });
+  const double most = std::ranges::max(values);
+  return !whole || most > 65535 ? 0 : most > 255 ? 65535 : 255;
+}
+
 std::string ping_name(const std::string& file, std::uint64_t ping) {
   return fmt::format("{} ping {}", file, ping);
 }
@@ -56,13 +64,13 @@ CompareSource::CompareSource(std::filesystem::path path, const std::string& sona
   if (!std::filesystem::exists(path_)) {
     throw Error(fmt::format("{}: no such file or folder", name()));
   }
-  const std::filesystem::path ending = path_.extension();
-  if (ending == ".png" || ending == ".PNG") {
+  if (is_picture(path_)) {
     picture_ = load_grey_picture(path_);
-  } else if (insonify::is_recording(path_)) {
+  } else if (insonify::is_recording(path_) || is_foreign_recording(path_)) {
     recording_.emplace(path_, sonar);
   } else {
-    throw Error(fmt::format("{}: is neither a recording ({}) nor a picture (.png)", name(), readable_recordings()));
+    throw Error(fmt::format("{}: is neither a recording ({}, {}) nor a picture ({})", name(), readable_recordings(),
+                            foreign_recordings(), kPictureEndings));
   }
 }
 
@@ -86,10 +94,20 @@ double CompareSource::full_scale() const {
 
 std::optional<SonarConfig> CompareSource::sonar_config() const {
   try {
-    return recording_ ? std::optional(recording_->sonar_config()) : std::nullopt;
+    return recording_ && recording_->assumed().empty() ? std::optional(recording_->sonar_config()) : std::nullopt;
   } catch (const Error&) {
     return {};  // A recording of another program.
   }
+}
+
+std::vector<std::string> CompareSource::notes() const {
+  std::vector<std::string> notes;
+  if (recording_) {
+    for (const std::string& note : recording_->notes()) {
+      notes.push_back(fmt::format("{}: {}", name(), note));
+    }
+  }
+  return notes;
 }
 
 double CompareSource::loudest(const std::vector<std::uint64_t>& pings) const {
@@ -124,13 +142,15 @@ GreyPicture CompareSource::scan(const std::vector<std::uint64_t>& pings) const {
 
 std::vector<double> CompareSource::levels(std::uint64_t ping) const {
   std::vector<double> values = counts_ ? recording_->counts(ping) : recording_->intensity(ping);
-  for (double& value : values) {
+  for (const double value : values) {
     if (!(value >= 0 && value <= levels_.full_scale)) {
-      throw Error(fmt::format("{}: an intensity is {:.6g}; it must be from 0 to full scale, {:.6g} (--full-scale)",
-                              ping_name(name(), ping), value, levels_.full_scale));
+      const double whole = full_scale() == 1 ? greatest_of_counts(values) : 0;
+      throw Error(fmt::format("{}: an intensity is {:.6g}; it must be from 0 to full scale, {:.6g} (--full-scale{})",
+                              ping_name(name(), ping), value, levels_.full_scale,
+                              whole == 0 ? "" : fmt::format(" {:.0f}: all are whole, as counts are", whole)));
     }
-    value = shown_level(levels_, value);
   }
+  std::ranges::transform(values, values.begin(), [&](double value) { return shown_level(levels_, value); });
   return values;
 }
 

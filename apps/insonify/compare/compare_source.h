@@ -13,11 +13,11 @@
 
 namespace insonify {
 
-/// A recording, or a picture that is compared with every ping of the other side.
+/// A recording, also one of an instrument, or a picture that is compared with every ping of the other side.
 class CompareSource {
  public:
-  /// @param path    A recording, a folder of recordings, or a picture.
-  /// @param sonar   Sonar whose recording is used of a folder or of an MCAP file; "" if there is only one.
+  /// @param path    A recording, a folder of recordings, a foreign recording, or a picture.
+  /// @param sonar   Sonar whose recording is used of a folder or of a file with several; "" if there is only one.
   CompareSource(std::filesystem::path path, const std::string& sonar);
 
   /// Sets the mapping of intensities to levels from 0 to 1; full scale is relative to that of the recording. Must be
@@ -32,9 +32,16 @@ class CompareSource {
   [[nodiscard]] std::string name() const { return path_.string(); }
   [[nodiscard]] std::string sonar() const { return recording_ ? recording_->sonar() : ""; }
   [[nodiscard]] bool is_calibrated() const { return recording_ && recording_->model() == "calibrated"; }
+  [[nodiscard]] bool is_of_the_paper() const { return recording_ && recording_->model() == "paper"; }
   [[nodiscard]] bool is_recording() const { return recording_.has_value(); }
-  /// Settings of a recording's sonar; absent if it has no readable ones, and for a picture.
+  /// Settings of a recording's sonar; absent if it has no readable ones or they are assumed, and for a picture.
   [[nodiscard]] std::optional<SonarConfig> sonar_config() const;
+  /// Whether its levels are counts or grey levels, from 0 to full scale; else intensities.
+  [[nodiscard]] bool has_counts() const { return !recording_ || counts_ || recording_->has_integers(); }
+  /// Whether it has counts beside its intensities.
+  [[nodiscard]] bool has_both() const { return recording_ && recording_->greatest_count() > 0; }
+  /// RecordedPings::notes(), each after the name.
+  [[nodiscard]] std::vector<std::string> notes() const;
   [[nodiscard]] bool is_scan() const { return recording_ && recording_->beam_count() == 1; }
   [[nodiscard]] std::uint64_t ping_count() const { return recording_->ping_count(); }  ///< Only for a recording.
 

@@ -18,6 +18,9 @@ struct Comparison {
   int columns = 0, rows = 0;         ///< Size of each picture [pixels].
   std::vector<std::uint64_t> pings;  ///< Pings compared; empty for two pictures.
   std::string unmatched;             ///< "a.h5 has 12" where the files have different numbers of pings; else "".
+  std::vector<std::string> notes;    ///< What was chosen of the files, or left out.
+  std::string hint;                  ///< Why levels of the two may not be comparable; else "".
+  int ms_ssim_scales = 0;            ///< 0: MS-SSIM was skipped.
   std::string differing;             ///< How the sonars of two recordings differ in range and aperture; else "".
   Display levels;                    ///< Maps intensities of recordings to levels from 0 to 1.
   bool is_scan = false;              ///< Pings of a single beam are compared side by side as one picture.

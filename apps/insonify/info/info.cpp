@@ -8,6 +8,7 @@
 #include "console/commands.h"
 #include "console/console.h"
 #include "console/outcome.h"
+#include "insonify/recorded_pings.h"
 #include "insonify/recording_formats.h"
 #include "insonify/recording_info.h"
 #include "insonify/words.h"
@@ -39,8 +40,10 @@ void print(const std::filesystem::path& path, const RecordingInfo& info) {
   const std::string state = state_text(info.state, info.format);
   say("{}: {}, {:.1f} MB{}{}\n", path.string(), info.format, static_cast<double>(info.bytes) / 1e6,
       state.empty() ? "" : ", ", state);
-  say("  insonify {}, model {}, engine {}, seed {}\n", info.version, info.model, info.engine,
-      info.seed ? std::to_string(*info.seed) : "unknown");
+  if (!info.version.empty() || !info.model.empty()) {  // Else it is another program's.
+    say("  insonify {}, model {}, engine {}, seed {}\n", info.version, info.model, info.engine,
+        info.seed ? std::to_string(*info.seed) : "unknown");
+  }
   if (info.start_ns) {
     say("  started at {}\n", start_text(*info.start_ns));
   }
@@ -124,7 +127,8 @@ void add_info(const Command& program) {
   const Command command = program.add("info", "Describe recordings");
   auto& options = command.keep<InfoOptions>();
   command.argument("RECORDING", &options.recordings,
-                   fmt::format("Recordings ({}), also unfinished ones (.new)", readable_recordings()));
+                   fmt::format("Recordings ({}), also unfinished ones (.new), and files of instruments ({})",
+                               readable_recordings(), foreign_recordings()));
   command.flag("--json", &options.json, "As JSON, a list with an object for each");
   command.footer(
       "Examples:\n"

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "console/commands.h"
@@ -39,6 +40,43 @@ EchoModel model_of(const RecordedPings& pings, const std::filesystem::path& file
   return pings.model() == "paper" ? EchoModel::kPaper : EchoModel::kCalibrated;
 }
 
+// Of an instrument or of another program, without settings of the simulator.
+bool is_foreign(const RecordedPings& pings) {
+  return pings.model().empty() && !pings.foreign_format().empty();
+}
+
+// Numbers are drawn as they are: counts of 8 bits from 0 to 255, others up to the greatest of those drawn.
+PictureStyle foreign_style(const DrawOptions& options, const RecordedPings& pings, const PictureChoice& choice) {
+  if (options.pictures.counts && !pings.has_integers()) {
+    throw InputError(
+        fmt::format("{}: --counts: there are none in it, its numbers are floating-point", options.recording.string()));
+  }
+  PictureStyle style = picture_style(options.pictures, EchoModel::kPaper, ReceiverConfig());
+  style.waterfall = true;
+  if (style.fixed_levels) {
+    return style;
+  }
+  constexpr double kEightBits = 255;
+  double greatest = pings.full_scale() == kEightBits ? kEightBits : 0;
+  for (std::uint64_t ping = 0; ping < pings.ping_count() && pings.full_scale() != kEightBits; ++ping) {
+    if (pings.beam_count() == 1 || choice.takes(ping, pings.ping_count())) {
+      greatest = std::max(greatest, std::ranges::max(pings.intensity(ping)));
+    }
+  }
+  style.fixed_levels = true;
+  style.display.of_counts = pings.has_integers() && style.display.scale == Scale::kLinear;
+  style.display.full_scale = greatest > 0 && std::isfinite(greatest) ? greatest : 1;
+  return style;
+}
+
+void tell_of_foreign(const RecordedPings& pings, const std::filesystem::path& file) {
+  for (const std::vector<std::string>& texts : {pings.notes(), pings.assumed()}) {
+    for (const std::string& text : texts) {
+      complain(fmt::format("note: {}: {}", file.string(), text));
+    }
+  }
+}
+
 struct Recorded {
   RecordedPings pings;
   SonarConfig sonar;
@@ -53,16 +91,20 @@ Recorded open_recording(const DrawOptions& options) {
   return checked_input([&] {
     RecordedPings pings(file, options.sonar);
     const SonarConfig sonar = pings.sonar_config();
-    const PictureStyle style = picture_style(options.pictures, model_of(pings, file), pings.receiver_config(), sonar);
     const PictureChoice choice = choice_of(options, pings);
-    if (style.display.of_counts && pings.greatest_count() == 0) {
+    const PictureStyle style =
+        is_foreign(pings) ? foreign_style(options, pings, choice)
+                          : picture_style(options.pictures, model_of(pings, file), pings.receiver_config(), sonar);
+    if (!is_foreign(pings) && style.display.of_counts && pings.greatest_count() == 0) {
       throw InputError(fmt::format(
           "{}: --counts: there are none in it; MCAP recordings hold levels only, HDF5 ones both", file.string()));
     }
     if (pings.ping_count() == 0) {
       throw InputError(fmt::format("{}: there is no ping in it", file.string()));
     }
-    if (const std::string text = unfinished_text(file, recording_info(file)); !text.empty()) {
+    if (is_foreign(pings)) {
+      tell_of_foreign(pings, file);
+    } else if (const std::string text = unfinished_text(file, recording_info(file)); !text.empty()) {
       complain("warning: " + text);
     }
     const std::filesystem::path beside = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
@@ -76,7 +118,7 @@ Recorded open_recording(const DrawOptions& options) {
 
 Ping ping_of(const Recorded& recorded, std::uint64_t number) {
   Ping ping = recorded.pings.ping(number);
-  if (recorded.style.display.of_counts) {
+  if (recorded.style.display.of_counts && !is_foreign(recorded.pings)) {
     const std::vector<double> counts = recorded.pings.counts(number);
     ping.counts.assign(counts.begin(), counts.end());
   }
@@ -87,8 +129,10 @@ Ping ping_of(const Recorded& recorded, std::uint64_t number) {
 void draw_pings(const Recorded& recorded, PingPictures& pictures) {
   const std::uint64_t count = recorded.pings.ping_count();
   const bool scans = recorded.sonar.product() == Product::kLine;
+  const bool side_by_side = recorded.style.waterfall && recorded.sonar.beam_count == 1;
+  const bool all = scans || (side_by_side && recorded.choice.only.empty());
   for (std::uint64_t number = 0; number < count; ++number) {
-    if (scans || number == 0 || recorded.choice.takes(number, count)) {
+    if (all || (number == 0 && !side_by_side) || recorded.choice.takes(number, count)) {
       pictures.add(0, ping_of(recorded, number));
     }
   }
@@ -129,14 +173,18 @@ void add_draw(const Command& program) {
   const Command command = program.add("draw", "Draw pictures of a recording's pings");
   auto& options = command.keep<DrawOptions>();
   command.argument("RECORDING", &options.recording,
-                   fmt::format("Recording ({}) that insonify run or export has made", readable_recordings()));
+                   fmt::format("Recording ({}) that insonify run or export has made, file of an instrument or arrays "
+                               "({}), or grey picture ({})",
+                               readable_recordings(), foreign_recordings(), kPictureEndings));
   command.option("--sonar", "NAME", &options.sonar, "Which sonar of a recording that has several");
   add_draw_options(command, options);
   command.footer(
       "Draws the pictures that insonify run draws, without simulating anything: NAME_fan_0000.png and\n"
-      "NAME_polar_0000.png of a fan, NAME_scan.png and NAME_polar.png of a scanning sonar.\n\n"
+      "NAME_polar_0000.png of a fan, NAME_scan.png and NAME_polar.png of a scanning sonar, NAME_waterfall.png of a\n"
+      "side-scan sonar.\n\n"
       "Examples:\n"
       "  insonify draw out/fls.h5 -o pictures --levels -90:-40\n"
+      "  insonify draw dive.raw -o pictures --ping 0\n"
       "  insonify draw out/fls.mcap -o pictures --ping 3 --colour-map copper --height 1080");
   command.act([&options] { return draw(options); });
 }

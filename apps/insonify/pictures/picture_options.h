@@ -38,6 +38,7 @@ struct PictureStyle {
   EchoModel model = EchoModel::kCalibrated;
   Display display = {};
   bool fixed_levels = false;  ///< Full scale is given, not fitted to pings.
+  bool waterfall = false;     ///< Pings of a single beam that does not turn are drawn side by side.
 };
 
 /// Levels of the calibrated model are decibels with gain by range, unless the receiver has applied such a gain.

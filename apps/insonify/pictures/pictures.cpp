@@ -51,6 +51,8 @@ PingPictures::PingPictures(PictureFolder& folder, const SonarConfig& sonar, cons
       total_(total) {
   if (sonar_.product() == Product::kLine && choice_.most > 0) {
     scan_ = std::make_unique<ScanView>(sonar_);
+  } else if (style.waterfall && sonar_.beam_count == 1) {
+    waterfall_ = std::make_unique<Waterfall>(sonar_);
   }
 }
 
@@ -64,7 +66,12 @@ void PingPictures::add(std::size_t /*sonar*/, const Ping& ping) {
     scaled_ = true;
   }
   const bool due = choice_.takes(ping.number, total_);
-  last_drawn_ = due || scan_ != nullptr;
+  last_drawn_ = due || scan_ != nullptr || waterfall_ != nullptr;
+  if (waterfall_ != nullptr) {
+    note_brightest();
+    waterfall_->add(last_);
+    return;
+  }
   if (scan_ != nullptr) {
     note_brightest();
     scan_->add(last_);
@@ -86,6 +93,8 @@ Ping PingPictures::shown(const Ping& ping) const {
 void PingPictures::close() {
   if (scan_ != nullptr && !last_.intensity.empty()) {
     draw_scan("scan", true);
+  } else if (waterfall_ != nullptr && !last_.intensity.empty()) {
+    write("waterfall", waterfall_->draw(display_));
   } else if (!last_drawn_) {
     draw_fan_of_last();
     last_drawn_ = true;

@@ -10,6 +10,7 @@
 
 #include "insonify/picture.h"
 #include "insonify/ping_sink.h"
+#include "insonify/waterfall.h"
 #include "pictures/output_folder.h"
 #include "pictures/picture_options.h"
 
@@ -29,7 +30,8 @@ struct PictureChoice {
 };
 
 /// Draws one sonar's pings into a folder. For a fan: NAME_polar_0000.png and NAME_fan_0000.png. For a scanning sonar:
-/// NAME_scan_0000.png, the scan up to a ping, and at the end NAME_scan.png and the waterfall NAME_polar.png.
+/// NAME_scan_0000.png, the scan up to a ping, and at the end NAME_scan.png and the waterfall NAME_polar.png. For a
+/// single beam that does not turn, if the style asks for it: NAME_waterfall.png, all pings.
 class PingPictures final : public PingSink {
  public:
   /// In the calibrated model the display may apply gain by range, or be that of counts. Unless the style fixes full
@@ -65,8 +67,9 @@ class PingPictures final : public PingSink {
   Display display_;
   PictureChoice choice_;
   std::uint64_t total_ = 0;
-  std::unique_ptr<ScanView> scan_;  // Only for a scanning sonar.
-  Ping last_;                       // As it is drawn.
+  std::unique_ptr<ScanView> scan_;        // Only for a scanning sonar.
+  std::unique_ptr<Waterfall> waterfall_;  // Only where the style asks for it.
+  Ping last_;                             // As it is drawn.
   bool last_drawn_ = true;
   double brightest_ = 0;                                      // Largest intensity drawn.
   double darkest_ = std::numeric_limits<double>::infinity();  // The least.

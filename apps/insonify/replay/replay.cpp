@@ -8,6 +8,7 @@
 #include "console/console.h"
 #include "console/outcome.h"
 #include "insonify/recording_formats.h"
+#include "insonify/recording_info.h"
 #include "insonify/words.h"
 #include "pictures/draw.h"
 #include "replay/recording_player.h"
@@ -29,9 +30,21 @@ std::string name_of(const std::vector<std::filesystem::path>& files) {
   return files.size() == 1 ? first : fmt::format("{} + {}", first, files.size() - 1);
 }
 
+void check_replayed(const std::vector<std::filesystem::path>& files) {
+  for (const std::filesystem::path& file : files) {
+    if (recording_info(file).model.empty()) {
+      throw InputError(fmt::format(
+          "{}: is not of a run of insonify, which --view shows; without it its pings are drawn", file.string()));
+    }
+  }
+}
+
 int replay(const ReplayOptions& options) {
   PageServer server(options.server);
-  RecordedRun run = checked_input([&] { return RecordedRun(options.run, log_to_user(true)); });
+  RecordedRun run = checked_input([&] {
+    check_replayed(options.run.files);
+    return RecordedRun(options.run, log_to_user(true));
+  });
   RecordingPlayer player(run, name_of(options.run.files), options.paused);
   player.set_speed(options.speed);
   server.show(player, options.run.files.front());

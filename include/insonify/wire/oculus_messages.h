@@ -122,6 +122,13 @@ struct OculusPing {
 
 [[nodiscard]] std::vector<std::uint8_t> encode(const OculusPing& ping);
 
+/// Decodes a simple ping result, header included; layout 2 if its version is 2. kOculus16Bits follows the size of its
+/// pixels.
+/// @throws Error "image of 179968 bytes from byte 2048 on must lie in the message of 2000 bytes" for lengths that do
+/// not
+///         fit to each other, and for pixels of more than 16 bits.
+[[nodiscard]] OculusPing decode_ping(std::span<const std::uint8_t> message);
+
 /// What a sonar broadcasts about itself each second.
 struct OculusStatus {
   std::uint16_t device = 1;

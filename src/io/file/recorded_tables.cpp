@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <type_traits>
 
@@ -136,7 +137,56 @@ Config read_settings(const RecordedSettings& settings, const std::string& group)
   return config;
 }
 
+// A member of a configuration as JSON, as in recordings: words as texts, angles in radians; null if there is none.
+template <typename Member>
+nlohmann::json json_of_member(const Member& member) {
+  if constexpr (std::is_same_v<Member, EnumWord>) {
+    return member.text();
+  } else if constexpr (requires { member.has_value(); }) {
+    return member ? nlohmann::json(*member) : nlohmann::json();
+  } else if constexpr (std::is_same_v<Member, Vec3>) {
+    return std::vector<double>(member.begin(), member.end());
+  } else if constexpr (std::is_same_v<Member, std::vector<int>> || std::is_same_v<Member, std::vector<double>>) {
+    return member.empty() ? nlohmann::json() : nlohmann::json(std::vector<double>(member.begin(), member.end()));
+  } else if constexpr (std::is_same_v<Member, std::filesystem::path>) {
+    return member.string();
+  } else {
+    return member;
+  }
+}
+
+// Appends the selected slice of a row-major block.
+void take_block(std::span<const std::byte> block, std::size_t value_bytes, std::span<const std::uint64_t> shape,
+                std::span<const TableSlice> slices, std::byte*& into) {
+  if (shape.empty()) {
+    std::memcpy(into, block.data(), value_bytes);
+    into += value_bytes;
+    return;
+  }
+  const std::size_t each = block.size() / shape.front();
+  for (std::uint64_t i = 0; i < slices.front().count; ++i) {
+    const std::uint64_t at = slices.front().start + i * slices.front().step;
+    take_block(block.subspan(at * each, each), value_bytes, shape.subspan(1), slices.subspan(1), into);
+  }
+}
+
 }  // namespace
+
+nlohmann::json settings_json(ConstSettings settings) {
+  nlohmann::json object = nlohmann::json::object();
+  for (const FieldEntry& field : settings.table->fields) {
+    nlohmann::json value = field.get(settings.config, [](const auto& member) { return json_of_member(member); });
+    if (!value.is_null()) {
+      object[std::string(field.name)] = std::move(value);
+    }
+  }
+  for (const PartEntry& part : settings.table->parts) {
+    for (const auto& [suffix, entry] : part.entries(settings.config)) {
+      object[std::string(part.name)] = settings_json(entry);
+    }
+  }
+  return object;
+}
 
 const RecordedTable* RecordedTables::find(const std::string& name) const {
   const auto found = std::ranges::find(tables_, name, &RecordedTable::name);
@@ -148,6 +198,27 @@ const RecordedTable& RecordedTables::table(const std::string& name) const {
     return *found;
   }
   throw Error(fmt::format("{}: has no table {}", path_.string(), printable(name)));
+}
+
+nlohmann::json RecordedTables::summary() const {
+  return {{"tables", tables_},
+          {"names", names_},
+          {"ping_count", ping_count_},
+          {"attributes", attributes_},
+          {"state", state_ ? nlohmann::json(*state_) : nlohmann::json()}};
+}
+
+void RecordedTables::read_by_rows(const RecordedTable& table, std::span<const TableSlice> slices,
+                                  std::span<std::byte> bytes) const {
+  std::byte* into = bytes.data();
+  if (!table.by_ping) {
+    take_block(row(table, 0), table.value_bytes, table.row, slices, into);
+    return;
+  }
+  for (std::uint64_t i = 0; i < slices.front().count; ++i) {
+    take_block(row(table, slices.front().start + i * slices.front().step), table.value_bytes, table.row,
+               slices.subspan(1), into);
+  }
 }
 
 SonarConfig RecordedTables::sonar_config() const {

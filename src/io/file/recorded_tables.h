@@ -40,6 +40,9 @@ struct RecordedNames {
   std::vector<std::string> texts;
 };
 
+/// A configuration as in recordings: words as texts, angles in radians, parts as objects; without absent members.
+[[nodiscard]] nlohmann::json settings_json(ConstSettings settings);
+
 /// The tables of one sonar, read on demand.
 class RecordedTables {
  public:
@@ -92,7 +95,13 @@ class RecordedTables {
   virtual void read(const RecordedTable& table, NumberType type, std::span<const TableSlice> slices,
                     std::span<std::byte> bytes) const = 0;
 
+  /// All that is known without reading a table, for a process that reads them in another.
+  [[nodiscard]] nlohmann::json summary() const;
+
  protected:
+  /// read() for tables of types that NumberType has, by way of whole rows.
+  void read_by_rows(const RecordedTable& table, std::span<const TableSlice> slices, std::span<std::byte> bytes) const;
+
   std::filesystem::path path_;
   std::vector<RecordedTable> tables_;
   std::vector<RecordedNames> names_;

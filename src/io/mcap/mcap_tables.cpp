@@ -5,48 +5,12 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <cstring>
 
 #include "io/mcap/mcap_metadata.h"
 #include "io/message/cdr_reader.h"
 
 namespace insonify {
 namespace {
-
-// A member of a configuration as JSON, as in recordings: words as texts, angles in radians; null if there is none.
-template <typename Member>
-nlohmann::json json_of_member(const Member& member) {
-  if constexpr (std::is_same_v<Member, EnumWord>) {
-    return member.text();
-  } else if constexpr (requires { member.has_value(); }) {
-    return member ? nlohmann::json(*member) : nlohmann::json();
-  } else if constexpr (std::is_same_v<Member, Vec3>) {
-    return std::vector<double>(member.begin(), member.end());
-  } else if constexpr (std::is_same_v<Member, std::vector<int>> || std::is_same_v<Member, std::vector<double>>) {
-    return member.empty() ? nlohmann::json() : nlohmann::json(std::vector<double>(member.begin(), member.end()));
-  } else if constexpr (std::is_same_v<Member, std::filesystem::path>) {
-    return member.string();
-  } else {
-    return member;
-  }
-}
-
-// A configuration without absent members; parts that are structs become objects.
-nlohmann::json json_of(ConstSettings settings) {
-  nlohmann::json object = nlohmann::json::object();
-  for (const FieldEntry& field : settings.table->fields) {
-    nlohmann::json value = field.get(settings.config, [](const auto& member) { return json_of_member(member); });
-    if (!value.is_null()) {
-      object[std::string(field.name)] = std::move(value);
-    }
-  }
-  for (const PartEntry& part : settings.table->parts) {
-    for (const auto& [suffix, entry] : part.entries(settings.config)) {
-      object[std::string(part.name)] = json_of(entry);
-    }
-  }
-  return object;
-}
 
 template <typename Number>
 std::vector<std::byte> bytes_of(const std::vector<Number>& values) {
@@ -58,21 +22,6 @@ std::vector<std::byte> bytes_of(const Pose& pose) {
   const Vec3& p = pose.position;
   const Eigen::Quaterniond& q = pose.orientation;
   return bytes_of(std::vector<double>{p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()});
-}
-
-// Appends the selected slice of a row-major block.
-void take_block(std::span<const std::byte> block, std::size_t value_bytes, std::span<const std::uint64_t> shape,
-                std::span<const TableSlice> slices, std::byte*& into) {
-  if (shape.empty()) {
-    std::memcpy(into, block.data(), value_bytes);
-    into += value_bytes;
-    return;
-  }
-  const std::size_t each = block.size() / shape.front();
-  for (std::uint64_t i = 0; i < slices.front().count; ++i) {
-    const std::uint64_t at = slices.front().start + i * slices.front().step;
-    take_block(block.subspan(at * each, each), value_bytes, shape.subspan(1), slices.subspan(1), into);
-  }
 }
 
 }  // namespace
@@ -183,7 +132,7 @@ void McapTables::add_tables() {
 }
 
 nlohmann::json McapTables::settings() const {
-  return {{"sonar", json_of(pings_.source().sonar)}, {"receiver", json_of(pings_.source().receiver)}};
+  return {{"sonar", settings_json(pings_.source().sonar)}, {"receiver", settings_json(pings_.source().receiver)}};
 }
 
 std::vector<std::byte> McapTables::row(const RecordedTable& table, std::uint64_t ping) const {
@@ -213,15 +162,7 @@ std::vector<std::byte> McapTables::row(const RecordedTable& table, std::uint64_t
 
 void McapTables::read(const RecordedTable& table, NumberType /*type: that of the table*/,
                       std::span<const TableSlice> slices, std::span<std::byte> bytes) const {
-  std::byte* into = bytes.data();
-  if (!table.by_ping) {
-    take_block(row(table, 0), table.value_bytes, table.row, slices, into);
-    return;
-  }
-  for (std::uint64_t i = 0; i < slices.front().count; ++i) {
-    take_block(row(table, slices.front().start + i * slices.front().step), table.value_bytes, table.row,
-               slices.subspan(1), into);
-  }
+  read_by_rows(table, slices, bytes);
 }
 
 }  // namespace insonify

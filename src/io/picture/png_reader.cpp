@@ -10,7 +10,6 @@
 #include <memory>
 
 #include "insonify/error.h"
-#include "insonify/recorded_pings.h"
 #include "io/file/input_file.h"
 #include "io/file/reader_process.h"
 
@@ -97,18 +96,6 @@ DecodedPng decode_png(const std::string& name, std::string_view file) {
     throw Error(name + ": cannot be read: the file ends before its IEND");
   }
   return png;
-}
-
-GreyPicture load_grey_picture(const std::filesystem::path& path) {
-  const PngReader png(path);
-  GreyPicture picture{path.string(), static_cast<int>(png.width()), static_cast<int>(png.height()), {}};
-  picture.values.reserve(png.width() * png.height());
-  for (std::size_t row = 0; row < png.height(); ++row) {
-    for (std::size_t column = 0; column < png.width(); ++column) {
-      picture.values.push_back(static_cast<double>(png.grey(column, row, "a comparison needs")) / png.full_scale());
-    }
-  }
-  return picture;
 }
 
 }  // namespace insonify

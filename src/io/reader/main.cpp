@@ -16,8 +16,10 @@
 #include "insonify/files.h"
 #include "insonify/version.h"
 #include "io/file/reader_process.h"
+#include "io/foreign/foreign_formats.h"
 #include "io/grid/height_grid_file.h"
 #include "io/mesh/flatten_scene.h"
+#include "io/picture/grey_picture.h"
 #include "io/picture/png_reader.h"
 #include "io/recording/hdf5_tables.h"
 
@@ -90,12 +92,13 @@ void allow_seconds(std::uint32_t seconds) {
 
 // ---------------------------------------------------------------- What it does
 
-using OpenRecording = std::unique_ptr<Hdf5Tables>;
+using OpenRecording = std::unique_ptr<RecordedTables>;
 
 // Opened at the first task about it, after which no other file is: not what HDF5 calls external.
-Hdf5Tables& opened(OpenRecording& recording, const std::string& path) {
+RecordedTables& opened(OpenRecording& recording, const std::string& path, const std::string& sonar) {
   if (recording == nullptr) {
-    recording = std::make_unique<Hdf5Tables>(path);
+    const ForeignFormat* const format = foreign_format(path);
+    recording = format != nullptr ? OpenRecording(format->open(path, sonar)) : std::make_unique<Hdf5Tables>(path);
     limit(RLIMIT_NOFILE, kSanitized ? RLIM_INFINITY : 0);
   }
   return *recording;
@@ -121,18 +124,22 @@ void answer(ReaderTask task, const std::string& path, OpenRecording& recording, 
       return put(result, read_mesh(path, next<std::string>(arguments)));
     case ReaderTask::kPicture:
       return put(result, decode_png(path, next<std::string>(arguments)));
+    case ReaderTask::kGrey:
+      return put(result, decode_grey(path, next<std::string>(arguments)));
     case ReaderTask::kBag:
       return put(result, read_bag(path));
     case ReaderTask::kRecording:
-      return put(result, text_of(opened(recording, path).summary()));
+      return put(result, text_of(opened(recording, path, next<std::string>(arguments)).summary()));
     case ReaderTask::kSettings:
-      return put(result, text_of(opened(recording, path).settings()));
+      return put(result, text_of(opened(recording, path, next<std::string>(arguments)).settings()));
     case ReaderTask::kRow: {
-      const RecordedTable& table = opened(recording, path).table(next<std::string>(arguments));
+      opened(recording, path, next<std::string>(arguments));
+      const RecordedTable& table = recording->table(next<std::string>(arguments));
       return put(result, recording->row(table, next<std::uint64_t>(arguments)));
     }
     case ReaderTask::kBlock: {
-      const RecordedTable& table = opened(recording, path).table(next<std::string>(arguments));
+      opened(recording, path, next<std::string>(arguments));
+      const RecordedTable& table = recording->table(next<std::string>(arguments));
       const auto type = next<NumberType>(arguments);
       const auto slices = next<std::vector<TableSlice>>(arguments);
       std::vector<std::byte> bytes(next<std::uint64_t>(arguments));

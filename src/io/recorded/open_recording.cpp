@@ -1,4 +1,4 @@
-// open_recording.cpp -- the only place that knows which formats recordings have.
+// open_recording.cpp -- opens a recording in whichever format it is.
 
 #include "io/recorded/open_recording.h"
 
@@ -8,9 +8,11 @@
 
 #include "insonify/error.h"
 #include "insonify/printable.h"
+#include "insonify/recorded_pings.h"
 #include "insonify/recording_info.h"
 #include "io/file/input_file.h"
 #include "io/file/reader_process.h"
+#include "io/foreign/foreign_formats.h"
 #include "io/mcap/mcap_bytes.h"
 #include "io/mcap/mcap_tables.h"
 #include "io/recording/hdf5_tables.h"
@@ -18,10 +20,10 @@
 namespace insonify {
 namespace {
 
-// Hdf5Tables in a process of its own, which lives as long as this.
+// The tables of a stranger's file in a process of its own, which lives as long as this.
 class ApartTables : public RecordedTables {
  public:
-  explicit ApartTables(const std::filesystem::path& path);
+  ApartTables(const std::filesystem::path& path, const std::string& format, std::string sonar);
 
   [[nodiscard]] nlohmann::json settings() const override;
   [[nodiscard]] std::vector<std::byte> row(const RecordedTable& table, std::uint64_t ping) const override;
@@ -29,13 +31,19 @@ class ApartTables : public RecordedTables {
             std::span<std::byte> bytes) const override;
 
  private:
+  void put_file(SharedBytes& to) const {
+    put(to, path_.string());
+    put(to, sonar_);
+  }
   void ask(ReaderTask task, const std::function<void(const nlohmann::json&)>& take) const;
 
   StrangersFile file_;
+  std::string sonar_;
   mutable ReaderProcess reader_;
 };
 
-ApartTables::ApartTables(const std::filesystem::path& path) : RecordedTables(path), file_{path, "HDF5"} {
+ApartTables::ApartTables(const std::filesystem::path& path, const std::string& format, std::string sonar)
+    : RecordedTables(path), file_{path, format}, sonar_(std::move(sonar)) {
   ask(ReaderTask::kRecording, [&](const nlohmann::json& summary) {
     summary.at("tables").get_to(tables_);
     summary.at("names").get_to(names_);
@@ -54,7 +62,7 @@ ApartTables::ApartTables(const std::filesystem::path& path) : RecordedTables(pat
 void ApartTables::ask(ReaderTask task, const std::function<void(const nlohmann::json&)>& take) const {
   constexpr int kDeepest = 16;  // What is deeper is left out: to copy it would overflow the stack.
   reader_.ask(
-      file_, task, [&](SharedBytes& to) { put(to, path_.string()); },
+      file_, task, [&](SharedBytes& to) { put_file(to); },
       [&](SharedBytes& from) {
         std::string text;
         get(from, text);
@@ -77,7 +85,7 @@ std::vector<std::byte> ApartTables::row(const RecordedTable& table, std::uint64_
   reader_.ask(
       file_, ReaderTask::kRow,
       [&](SharedBytes& to) {
-        put(to, path_.string());
+        put_file(to);
         put(to, table.name);
         put(to, ping);
       },
@@ -93,7 +101,7 @@ void ApartTables::read(const RecordedTable& table, NumberType type, std::span<co
   reader_.ask(
       file_, ReaderTask::kBlock,
       [&](SharedBytes& to) {
-        put(to, path_.string());
+        put_file(to);
         put(to, table.name);
         put(to, type);
         put(to, slices);
@@ -105,6 +113,28 @@ void ApartTables::read(const RecordedTable& table, NumberType type, std::span<co
         require_whole(count == bytes.size());
         from.get_bytes(bytes.data(), count);
       });
+}
+
+// A grey picture as one ping: rows are bins, the first the nearest.
+std::unique_ptr<RecordedTables> picture_tables(const std::filesystem::path& path, const std::string& sonar) {
+  check_foreign_sonar(path, sonar, "picture");
+  const GreyPicture picture = load_grey_picture(path);
+  auto tables = std::make_unique<ForeignTables>(path, "picture", 1);
+  SonarConfig config = foreign_sonar("picture", "");
+  config.beam_count = picture.columns;
+  config.bin_count = picture.rows;
+  config.max_range = kAssumedBin * picture.rows;
+  const std::vector<float> levels(picture.values.begin(), picture.values.end());
+  const auto bytes = std::as_bytes(std::span(levels));
+  tables->add("intensity", "<f4",
+              {static_cast<std::uint64_t>(picture.rows), static_cast<std::uint64_t>(picture.columns)}, true, "1",
+              [stored = std::vector<std::byte>(bytes.begin(), bytes.end())](std::uint64_t) { return stored; });
+  tables->describe(config);
+  tables->assume(
+      fmt::format("its rows are taken as bins of {} m, the first as the nearest, its columns as a fan of "
+                  "{:.0f} deg",
+                  kAssumedBin, degrees_from_radians(kAssumedAperture)));
+  return tables;
 }
 
 // An HDF5 recording holds one sonar.
@@ -128,12 +158,29 @@ bool is_mcap(const std::filesystem::path& path) {
   return start == kMcapMagic;
 }
 
-std::unique_ptr<RecordedTables> open_hdf5(const std::filesystem::path& path) {
-  if (reads_here()) {
-    return std::make_unique<Hdf5Tables>(path);
-  }
+bool is_foreign_recording(const std::filesystem::path& path) {
+  return foreign_format(path) != nullptr;
+}
+
+std::unique_ptr<RecordedTables> open_strangers(const std::filesystem::path& path, const std::string& sonar) {
   check_input_file(path);
-  return std::make_unique<ApartTables>(path);
+  if (is_picture(path)) {
+    return picture_tables(path, sonar);
+  }
+  const ForeignFormat* const format = foreign_format(path);
+  if (!reads_here()) {
+    auto tables = std::make_unique<ApartTables>(path, std::string(format != nullptr ? format->title : "HDF5"), sonar);
+    if (format == nullptr) {
+      check_sonar(path, sonar, tables->text("sonar"));
+    }
+    return tables;
+  }
+  if (format != nullptr) {
+    return format->open(path, sonar);
+  }
+  auto tables = std::make_unique<Hdf5Tables>(path);
+  check_sonar(path, sonar, tables->text("sonar"));
+  return tables;
 }
 
 std::unique_ptr<RecordedTables> open_tables(const std::filesystem::path& path, const std::string& sonar) {
@@ -141,9 +188,7 @@ std::unique_ptr<RecordedTables> open_tables(const std::filesystem::path& path, c
   if (is_mcap(path)) {
     return std::make_unique<McapTables>(path, sonar);
   }
-  auto tables = open_hdf5(path);
-  check_sonar(path, sonar, tables->text("sonar"));
-  return tables;
+  return open_strangers(path, sonar);
 }
 
 std::vector<std::unique_ptr<RecordedTables>> open_all_tables(const std::filesystem::path& path,

@@ -1,4 +1,4 @@
-// open_recording.h -- opens a recording in the format recognised by its first bytes, HDF5 or MCAP.
+// open_recording.h -- opens a recording in the format recognised by its first bytes: HDF5, MCAP or a foreign one.
 
 #pragma once
 
@@ -9,7 +9,8 @@
 namespace insonify {
 
 /// The tables of a file that is not MCAP, read by a process of its own unless reads_here().
-[[nodiscard]] std::unique_ptr<RecordedTables> open_hdf5(const std::filesystem::path& path);
+[[nodiscard]] std::unique_ptr<RecordedTables> open_strangers(const std::filesystem::path& path,
+                                                             const std::string& sonar = "");
 
 /// @param sonar  Name; "" for the only one.
 /// @throws Error with the path for a file that is not a recording, and for an unknown sonar.

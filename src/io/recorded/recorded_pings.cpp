@@ -69,6 +69,16 @@ struct RecordedPings::State {
 
   [[nodiscard]] std::string path() const { return tables->path().string(); }
 
+  // An attribute that is a list of texts.
+  [[nodiscard]] std::vector<std::string> texts(const char* attribute) const {
+    std::vector<std::string> texts;
+    if (const auto found = tables->attributes().find(attribute);
+        found != tables->attributes().end() && found->is_array()) {
+      std::ranges::for_each(*found, [&](const nlohmann::json& text) { texts.push_back(text.is_string() ? text : ""); });
+    }
+    return texts;
+  }
+
   // `width` numbers for each ping.
   [[nodiscard]] std::vector<double> row(const std::string& name, std::uint64_t ping, std::uint64_t width) const {
     const RecordedTable* table = tables->find(name);
@@ -126,6 +136,18 @@ double RecordedPings::full_scale() const {
 
 std::vector<double> RecordedPings::intensity(std::uint64_t ping) const {
   return state_->row("intensity", ping, state_->shape[0] * state_->shape[1]);
+}
+
+std::string RecordedPings::foreign_format() const {
+  return state_->tables->text("format");
+}
+
+std::vector<std::string> RecordedPings::notes() const {
+  return state_->texts("notes");
+}
+
+std::vector<std::string> RecordedPings::assumed() const {
+  return state_->texts("assumed");
 }
 
 double RecordedPings::greatest_count() const {

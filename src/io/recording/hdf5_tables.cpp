@@ -60,14 +60,6 @@ herr_t add_name(hid_t, const char* name, const H5L_info_t*, void* names) {
 
 }  // namespace
 
-nlohmann::json Hdf5Tables::summary() const {
-  return {{"tables", tables_},
-          {"names", names_},
-          {"ping_count", ping_count_},
-          {"attributes", attributes_},
-          {"state", state_ ? nlohmann::json(*state_) : nlohmann::json()}};
-}
-
 Hdf5Tables::Hdf5Tables(const std::filesystem::path& path) : RecordedTables(path) {
   check_input_file(path);
   file_ = h5_open_recording(path);

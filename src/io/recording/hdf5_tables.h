@@ -18,9 +18,6 @@ class Hdf5Tables : public RecordedTables {
   void read(const RecordedTable& table, NumberType type, std::span<const TableSlice> slices,
             std::span<std::byte> bytes) const override;
 
-  /// All that is known without reading a table, for ApartTables.
-  [[nodiscard]] nlohmann::json summary() const;
-
  private:
   void add_table(const std::string& name);
   void read_axes(hid_t dataset, RecordedTable& table) const;

@@ -1,0 +1,121 @@
+// xtf_file_test.cpp -- side-scan channels of XTF files: samples, settings and what is refused.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "io/foreign/foreign_bytes.h"
+
+namespace insonify::xtf_file_test {
+namespace {
+
+using testing::ElementsAre;
+
+std::string words(std::uint16_t a, std::uint16_t b, std::uint16_t c) {
+  return little(a, b, c);
+}
+
+const XtfBytes kPing{.port = words(3, 2, 1), .starboard = words(11, 12, 40000)};
+
+// Those of port are stored from the outermost inwards.
+TEST(XtfFileTest, SamplesBeginAtTheSonarOnBothSides) {
+  const WorkingFolder folder;
+  XtfBytes next = kPing;
+  next.port = words(6, 5, 4);
+  next.second = 7;
+  folder.write("a.xtf", xtf_header(kPing) + xtf_packet(kPing) + xtf_packet(next));
+  const RecordedPings port("a.xtf"), starboard("a.xtf", "starboard");
+  EXPECT_EQ(port.foreign_format(), "XTF");
+  EXPECT_EQ(port.ping_count(), 2U);
+  EXPECT_EQ(port.beam_count(), 1);
+  EXPECT_EQ(port.full_scale(), 65535);
+  EXPECT_THAT(port.intensity(0), ElementsAre(1, 2, 3));
+  EXPECT_THAT(port.intensity(1), ElementsAre(4, 5, 6));
+  EXPECT_THAT(starboard.intensity(0), ElementsAre(11, 12, 40000));
+  EXPECT_NEAR(port.ping(1).time, 2, 1e-6);
+  EXPECT_THAT(port.notes(), ElementsAre("has port, starboard; port is taken, --sonar takes another"));
+  EXPECT_THAT(starboard.notes(), ElementsAre());
+  const SonarConfig sonar = starboard.sonar_config();
+  EXPECT_EQ(sonar.name, "starboard");
+  EXPECT_EQ(sonar.max_range, 30);
+  EXPECT_EQ(sonar.frequency, 600e3);
+  EXPECT_NEAR(degrees_from_radians(sonar.beam_azimuth(0)), -90, 1e-9);
+}
+
+TEST(XtfFileTest, EightBitsAndFloatsAreRead) {
+  const WorkingFolder folder;
+  const XtfBytes bytes{.sample_bytes = 1, .port = "cba", .starboard = "xyz"};
+  folder.write("bytes.xtf", xtf_header(bytes) + xtf_packet(bytes));
+  EXPECT_EQ(RecordedPings("bytes.xtf").full_scale(), 255);
+  EXPECT_THAT(RecordedPings("bytes.xtf").intensity(0), ElementsAre('a', 'b', 'c'));
+  const XtfBytes floats{
+      .sample_bytes = 4, .sample_format = 5, .port = little(1.F, 2.F, 3.F), .starboard = little(.5F, .25F, 0.F)};
+  folder.write("floats.xtf", xtf_header(floats) + xtf_packet(floats));
+  EXPECT_THAT(RecordedPings("floats.xtf", "starboard").intensity(0), ElementsAre(.5, .25, 0));
+  EXPECT_EQ(RecordedPings("floats.xtf", "starboard").full_scale(), 1);
+}
+
+TEST(XtfFileTest, OtherRangesAndACutEndAreTold) {
+  const WorkingFolder folder;
+  XtfBytes far = kPing;
+  far.range = 60;
+  const std::string whole = xtf_header(kPing) + xtf_packet(kPing) + xtf_packet(far);
+  folder.write("a.xtf", whole + xtf_packet(kPing).substr(0, 300));
+  const RecordedPings pings("a.xtf", "port");
+  EXPECT_EQ(pings.ping_count(), 1U);
+  EXPECT_THAT(pings.notes(),
+              ElementsAre("1 ping of another range or number of samples than the first left out",
+                          fmt::format("the last packet, at byte {}, is cut off and left out", whole.size())));
+}
+
+TEST(XtfFileTest, WrongFilesAreOneMessage) {
+  const WorkingFolder folder;
+  folder.write("text.xtf", std::string(2000, 'x'));
+  EXPECT_EQ(opening("text.xtf"), "text.xtf: byte 0: begins with 0x78; an XTF file begins with 0x7b");
+  folder.write("short.xtf", "{ short");
+  EXPECT_EQ(opening("short.xtf"), "short.xtf: byte 0: the file header of 1024 bytes is cut off: the file has 7");
+  folder.write("none.xtf", padded("{", 1024));
+  EXPECT_EQ(opening("none.xtf"), "none.xtf: has no side-scan channel; depths of multibeam sonars are not read");
+  folder.write("a.xtf", xtf_header(kPing) + xtf_packet(kPing) + "no packet at all");
+  EXPECT_EQ(opening("a.xtf"), fmt::format("a.xtf: byte {}: a packet begins with 0x6f6e, must begin with 0xface",
+                                          1024 + xtf_packet(kPing).size()));
+  folder.write("other.xtf", xtf_header(kPing) + xtf_packet(kPing));
+  EXPECT_EQ(opening("other.xtf", "fls"), "other.xtf: has no sonar fls; it has port, starboard");
+  XtfBytes giant = kPing;
+  giant.samples = 4'000'000'000;
+  folder.write("giant.xtf", xtf_header(kPing) + xtf_packet(giant));
+  EXPECT_EQ(opening("giant.xtf"),
+            "giant.xtf: byte 1280: 4000000000 samples of channel 0 need 8000000000 bytes; the packet has 76");
+  std::string endless = xtf_header(kPing) + xtf_packet(kPing);
+  endless.replace(1024 + 10, 4, little(std::uint32_t{0}));
+  folder.write("endless.xtf", endless);
+  EXPECT_EQ(opening("endless.xtf"), "endless.xtf: byte 1024: a packet of 0 bytes must have at least 14");
+  XtfBytes wide = kPing;
+  wide.sample_bytes = 8;
+  folder.write("wide.xtf", xtf_header(wide) + xtf_packet(kPing));
+  EXPECT_EQ(
+      opening("wide.xtf"),
+      "wide.xtf: samples of port have 8 bytes and format 0; those of 1 or 2 bytes are read, and of 4 in format 5");
+}
+
+// The same side as another program has decoded it; a multibeam file has depths only.
+TEST(XtfFileTest, RealPingsAreThoseOfTheArrays) {
+  INSONIFY_REAL_DATA(xtf, "opensidescan_xtf_wreck/scotsman-iver2.xtf");
+  INSONIFY_REAL_DATA(npz, "arrays/opensidescan_scotsman_sss.npz");
+  const RecordedPings starboard(xtf, "starboard"), array(npz, "starboard");
+  ASSERT_EQ(starboard.ping_count(), 461U);
+  EXPECT_EQ(starboard.bin_count(), 1024);
+  const RecordedPings port(xtf, "port"), stored_port(npz, "port");
+  for (const std::uint64_t ping : {0, 1, 230, 460}) {
+    EXPECT_EQ(starboard.intensity(ping), array.intensity(ping)) << ping;
+    std::vector<double> inwards = stored_port.intensity(ping);
+    std::ranges::reverse(inwards);
+    EXPECT_EQ(port.intensity(ping), inwards) << ping;
+  }
+  EXPECT_NEAR(starboard.sonar_config().max_range, 29.983501, 1e-5);
+  EXPECT_EQ(starboard.sonar_config().frequency, 600e3);
+  INSONIFY_REAL_DATA(depths, "mbeslib_xtf_r2sonic/0009_150708_R2Testing_0001.xtf");
+  EXPECT_EQ(opening(depths), depths.string() + ": has no side-scan channel; depths of multibeam sonars are not read");
+}
+
+}  // namespace
+}  // namespace insonify::xtf_file_test
