@@ -81,6 +81,12 @@ TEST_F(ForeignFilesTest, CountsAgainstIntensitiesGiveAHint) {
   for (double& value : values) {
     value = std::round(value * 2e6);
   }
+  write_intensity("wide.h5", {1, kSide, kSide}, H5T_STD_I64LE, values);
+  EXPECT_EQ(
+      compared("wide.h5 a.raw").at("hint"),
+      fmt::format("wide.h5 has integers up to {:.0f}, compared as fractions of 9.22e+18, the greatest of their type; "
+                  "as counts of 8 or 16 bits they would be fractions of 255 or 65535",
+                  std::ranges::max(values)));
   write_intensity("whole.h5", {1, kSide, kSide}, H5T_IEEE_F64LE, values);
   EXPECT_THAT(shell("insonify compare whole.h5 a.raw").err,
               HasSubstr("it must be from 0 to full scale, 1 (--full-scale 255: all are whole, as counts are)\n"));

@@ -7,6 +7,7 @@
 
 #include "insonify/error.h"
 #include "insonify/files.h"
+#include "insonify/recorded_pings.h"
 #include "support/working_folder.h"
 
 namespace insonify::found_by_fuzzing_test {
@@ -20,12 +21,17 @@ std::string bytes_of(const std::filesystem::path& path) {
 // Does what the fuzzer of that name does, see tests/fuzz.
 void read(const std::string& fuzzer, const std::string& bytes, const WorkingFolder& folder) {
   static constexpr const char* kMeshes[] = {"m.obj", "m.stl", "m.dae", "m.ply", "m.gltf", "m.glb"};
+  static constexpr const char* kForeign[] = {"a.raw", "a.bin", "a.xtf", "a.npy", "a.npz", "a.jpg", "a.pgm"};
   folder.write("world.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   folder.write("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   if (fuzzer == "mesh") {
     const char* name = kMeshes[static_cast<unsigned char>(bytes[0]) % std::size(kMeshes)];
     folder.write(name, bytes.substr(1));
     static_cast<void>(load_mesh(name));
+  } else if (fuzzer == "foreign") {
+    const char* name = kForeign[static_cast<unsigned char>(bytes[0]) % std::size(kForeign)];
+    folder.write(name, bytes.substr(1));
+    static_cast<void>(RecordedPings(name));
   } else if (fuzzer == "sdf") {
     folder.write("world.sdf", bytes);
     static_cast<void>(load_scene("world.sdf"));

@@ -100,7 +100,17 @@ std::string differing(const CompareSource& a, const CompareSource& b) {
 
 // Counts are amplitude or decibels on a scale of the instrument's, and intensities are power: of unequal kinds, levels
 // differ even where the echoes agree. The paper's model makes levels.
-std::string hint(const CompareSource& a, const CompareSource& b) {
+std::string hint(const CompareSource& a, const CompareSource& b, const std::vector<std::uint64_t>& pings) {
+  constexpr double kSixteenBits = 65535;
+  for (const CompareSource* source : {&a, &b}) {
+    const double greatest = source->greatest_integer();
+    if (greatest > kSixteenBits && source->loudest(pings) <= kSixteenBits) {
+      return fmt::format(
+          "{} has integers up to {:.0f}, compared as fractions of {:.3g}, the greatest of their type; as "
+          "counts of 8 or 16 bits they would be fractions of 255 or 65535",
+          source->name(), source->loudest(pings), greatest);
+    }
+  }
   if (a.has_counts() == b.has_counts() || a.is_of_the_paper() || b.is_of_the_paper()) {
     return "";
   }
@@ -187,7 +197,7 @@ Comparison compared(const CompareOptions& options) {
     comparison.pings = chosen_pings(a, b, options.pings);
     comparison.unmatched = options.pings.empty() ? unmatched(a, b) : "";
     comparison.differing = differing(a, b);
-    comparison.hint = hint(a, b);
+    comparison.hint = hint(a, b, comparison.pings);
     comparison.levels = levels_of(options, a, b, comparison.pings);
     a.set_levels(comparison.levels);
     b.set_levels(comparison.levels);

@@ -40,6 +40,10 @@ class CompareSource {
   [[nodiscard]] bool has_counts() const { return !recording_ || counts_ || recording_->has_integers(); }
   /// Whether it has counts beside its intensities.
   [[nodiscard]] bool has_both() const { return recording_ && recording_->greatest_count() > 0; }
+  /// The greatest number of its integers' type; 0 for intensities and pictures.
+  [[nodiscard]] double greatest_integer() const {
+    return recording_ && !counts_ && recording_->has_integers() ? recording_->full_scale() : 0;
+  }
   /// RecordedPings::notes(), each after the name.
   [[nodiscard]] std::vector<std::string> notes() const;
   [[nodiscard]] bool is_scan() const { return recording_ && recording_->beam_count() == 1; }

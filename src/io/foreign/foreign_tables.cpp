@@ -41,7 +41,7 @@ void ForeignTables::add(const std::string& name, const std::string& type, std::v
 
 void ForeignTables::add_numbers(const std::string& name, const std::string& unit, std::uint64_t width,
                                 std::vector<double> numbers) {
-  if (find(name) != nullptr) {
+  if (find(name) != nullptr || numbers.size() != ping_count_ * width) {
     return;
   }
   std::vector<std::uint64_t> row;

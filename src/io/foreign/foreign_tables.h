@@ -30,7 +30,7 @@ class ForeignTables : public RecordedTables {
   void add(const std::string& name, const std::string& type, std::vector<std::uint64_t> row, bool by_ping,
            const std::string& unit, Read read);
 
-  /// Adds a table with `width` numbers for each ping; nothing if there is one of that name.
+  /// Adds a table with `width` numbers for each ping; nothing if there is one of that name, or they are not so many.
   void add_numbers(const std::string& name, const std::string& unit, std::uint64_t width, std::vector<double> numbers);
 
   /// Sets the sonar and adds azimuth and range, and time and world_from_sonar where they are missing: 0 s, and the

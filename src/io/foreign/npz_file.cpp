@@ -179,7 +179,7 @@ std::unique_ptr<ForeignTables> open_npz(const std::filesystem::path& path, const
   add_recorded(*tables, archive, prefix, axes);
   if (const nlohmann::json facts = facts_in(archive, prefix); !facts.is_null()) {
     for (const auto& [key, value] : facts.items()) {
-      if (key != "settings") {
+      if (key != "settings" && key != "format" && key != "notes" && key != "assumed") {
         tables->set_attribute(key, value);
       }
     }

@@ -37,10 +37,9 @@ Number xtf_number(std::span<const std::uint8_t> bytes, std::size_t at) {
   return number;
 }
 
-// One channel of side-scan.
 struct XtfChannel {
   std::uint16_t number = 0;  // Index in the file header, by which packets name it.
-  std::string name = {};     // "port", "starboard", "port2".
+  std::string name = {};     // "port", "starboard", "port2"; "" for one that is not side-scan.
   bool is_port = false;
   std::uint16_t sample_bytes = 0;
   std::uint8_t sample_format = 0;
@@ -65,41 +64,43 @@ std::vector<XtfChannel> channels_of(const FileBytes& file) {
     file.fail(0, fmt::format("begins with 0x{:02x}; an XTF file begins with 0x7b", header[0]));
   }
   std::vector<XtfChannel> channels;
-  int ports = 0, starboards = 0;
   for (std::size_t i = 0; i < kChannelInfos; ++i) {
     const auto info = std::span(header).subspan(256 + i * kChannelInfo, kChannelInfo);
-    const bool is_port = info[0] == 1;
-    if (!is_port && info[0] != 2) {
-      continue;
+    const bool is_port = info[0] == 1, is_side_scan = is_port || info[0] == 2;
+    std::string name = is_port ? "port" : is_side_scan ? "starboard" : "";
+    const auto before = std::ranges::count_if(
+        channels, [&](const XtfChannel& channel) { return !channel.name.empty() && channel.is_port == is_port; });
+    if (is_side_scan && before > 0) {
+      name += std::to_string(before + 1);
     }
-    const int before = is_port ? ports++ : starboards++;
     channels.push_back(
-        {static_cast<std::uint16_t>(i),
-         fmt::format("{}{}", is_port ? "port" : "starboard", before == 0 ? "" : std::to_string(before + 1)), is_port,
-         xtf_number<std::uint16_t>(info, 6), info[74]});
+        {static_cast<std::uint16_t>(i), std::move(name), is_port, xtf_number<std::uint16_t>(info, 6), info[74]});
   }
   return channels;
 }
 
-std::string names_of(const std::vector<XtfChannel>& channels) {
+std::vector<std::string> side_scans_of(const std::vector<XtfChannel>& channels) {
   std::vector<std::string> names;
   for (const XtfChannel& channel : channels) {
-    names.push_back(channel.name);
+    if (!channel.name.empty()) {
+      names.push_back(channel.name);
+    }
   }
-  return fmt::format("{}", fmt::join(names, ", "));
+  return names;
 }
 
 const XtfChannel& channel_named(const FileBytes& file, const std::vector<XtfChannel>& channels,
                                 const std::string& name) {
-  if (channels.empty()) {
+  const std::vector<std::string> names = side_scans_of(channels);
+  if (names.empty()) {
     throw Error(
         fmt::format("{}: has no side-scan channel; depths of multibeam sonars are not read", file.path().string()));
   }
-  const auto found = name.empty() ? channels.begin() : std::ranges::find(channels, name, &XtfChannel::name);
-  if (found == channels.end()) {
+  if (!name.empty() && std::ranges::find(names, name) == names.end()) {
     throw Error(
-        fmt::format("{}: has no sonar {}; it has {}", file.path().string(), printable(name), names_of(channels)));
+        fmt::format("{}: has no sonar {}; it has {}", file.path().string(), printable(name), fmt::join(names, ", ")));
   }
+  const auto found = std::ranges::find(channels, name.empty() ? names.front() : name, &XtfChannel::name);
   if (found->sample_bytes != 1 && found->sample_bytes != 2 && (found->sample_bytes != 4 || found->sample_format != 5)) {
     throw Error(
         fmt::format("{}: samples of {} have {} bytes and format {}; those of 1 or 2 bytes are read, and of 4 in "
@@ -129,8 +130,10 @@ void take_packet(const FileBytes& file, std::uint64_t at, std::uint64_t size, co
     const std::vector<std::uint8_t> of_channel = file.read(at + next, kChannelHeader, "a channel's header");
     const auto number = xtf_number<std::uint16_t>(of_channel, 0);
     const auto samples = xtf_number<std::uint32_t>(of_channel, 42);
-    const auto known = std::ranges::find(channels, number, &XtfChannel::number);
-    const std::uint64_t bytes = std::uint64_t{samples} * (known == channels.end() ? 2 : known->sample_bytes);
+    if (number >= channels.size()) {
+      break;  // Described in a further header; its samples may have any size.
+    }
+    const std::uint64_t bytes = std::uint64_t{samples} * channels[number].sample_bytes;
     if (bytes > size - next - kChannelHeader) {
       file.fail(at + next, fmt::format("{} samples of channel {} need {} bytes; the packet has {}", samples, number,
                                        bytes, size - next - kChannelHeader));
@@ -241,8 +244,8 @@ std::unique_ptr<ForeignTables> open_xtf(const std::filesystem::path& path, const
   }
   tables->add_numbers("time", "s", 1, std::move(times));
   tables->describe(config);
-  if (sonar.empty() && channels.size() > 1) {
-    tables->note(fmt::format("has {}; {} is taken, --sonar takes another", names_of(channels), channel.name));
+  if (const std::vector<std::string> names = side_scans_of(channels); sonar.empty() && names.size() > 1) {
+    tables->note(fmt::format("has {}; {} is taken, --sonar takes another", fmt::join(names, ", "), channel.name));
   }
   if (found->other_shape > 0) {
     tables->note(fmt::format("{} of another range or number of samples than the first left out",

@@ -41,6 +41,23 @@ TEST(XtfFileTest, SamplesBeginAtTheSonarOnBothSides) {
   EXPECT_NEAR(degrees_from_radians(sonar.beam_azimuth(0)), -90, 1e-9);
 }
 
+// A sub-bottom channel of one byte a sample comes first in the packet; of two port channels the second has a number.
+TEST(XtfFileTest, OtherChannelsAreSteppedOver) {
+  const WorkingFolder folder;
+  std::string header = xtf_header(kPing);
+  header[256] = 0;
+  header[256 + 6] = 1;
+  header[256 + 2 * 128] = 2;
+  header[256 + 2 * 128 + 6] = 2;
+  XtfBytes ping = kPing;
+  ping.port = "abc";
+  std::string packet = xtf_packet(ping);
+  folder.write("a.xtf", header + packet);
+  EXPECT_THAT(RecordedPings("a.xtf").intensity(0), ElementsAre(11, 12, 40000));
+  EXPECT_EQ(opening("a.xtf", "starboard2"), "a.xtf: has no ping of starboard2 in 1 packet");
+  EXPECT_EQ(opening("a.xtf", "port"), "a.xtf: has no sonar port; it has starboard, starboard2");
+}
+
 TEST(XtfFileTest, EightBitsAndFloatsAreRead) {
   const WorkingFolder folder;
   const XtfBytes bytes{.sample_bytes = 1, .port = "cba", .starboard = "xyz"};
