@@ -59,6 +59,9 @@ class RecordedPings {
   /// Name of a foreign format: "Oculus", "Ping360", "XTF", "NumPy", "picture"; "" for HDF5 and MCAP.
   [[nodiscard]] std::string foreign_format() const;
 
+  /// Names of the sonars that a foreign file has, such as the sides of a side-scan; empty if it has one.
+  [[nodiscard]] std::vector<std::string> sonars() const;
+
   /// What was chosen of a foreign file, or left out of it: "3 pings of other ranges ... left out".
   [[nodiscard]] std::vector<std::string> notes() const;
 

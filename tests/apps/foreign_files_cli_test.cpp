@@ -123,6 +123,10 @@ TEST_F(ForeignFilesTest, PingsOfOneBeamAreOnePicture) {
   const Outcome side = shell("insonify draw a.xtf -o side --sonar starboard");
   EXPECT_EQ(side.out, "side/starboard_waterfall.png\n");
   EXPECT_EQ(side.err, "");
+  const Outcome sides = shell("insonify draw a.xtf -o sides");
+  EXPECT_EQ(sides.out, "sides/port_waterfall.png\nsides/starboard_waterfall.png\n");
+  EXPECT_EQ(sides.err, "");
+  EXPECT_EQ(shell("cmp side/starboard_waterfall.png sides/starboard_waterfall.png").status, 0);
 }
 
 TEST_F(ForeignFilesTest, FansArraysAndPicturesAreDrawn) {

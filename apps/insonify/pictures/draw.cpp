@@ -139,9 +139,7 @@ void draw_pings(const Recorded& recorded, PingPictures& pictures) {
   pictures.close();
 }
 
-}  // namespace
-
-int draw(const DrawOptions& options) {
+void draw_sonar(const DrawOptions& options) {
   const Recorded recorded = open_recording(options);
   const std::string& name = recorded.sonar.name;
   make_output_folder(recorded.folder);
@@ -154,6 +152,22 @@ int draw(const DrawOptions& options) {
   }
   if (const std::string text = pictures.darkness_text(); !text.empty()) {
     complain("warning: " + text);
+  }
+}
+
+}  // namespace
+
+int draw(const DrawOptions& options) {
+  std::vector<std::string> sonars;  // All of a foreign file, unless one is chosen.
+  if (options.sonar.empty() && is_foreign_recording(options.recording)) {
+    sonars = checked_input([&] { return RecordedPings(options.recording).sonars(); });
+  }
+  if (sonars.empty()) {
+    sonars.push_back(options.sonar);
+  }
+  for (DrawOptions one = options; const std::string& sonar : sonars) {
+    one.sonar = sonar;
+    draw_sonar(one);
   }
   return kDone;
 }

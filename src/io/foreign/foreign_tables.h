@@ -17,6 +17,7 @@ namespace insonify {
 /// poses. Attributes tell what the format says besides:
 ///
 /// - `format`: its name for users;
+/// - `sonars`: the names of all in the file, where there may be several;
 /// - `notes`: what was chosen or left out of the file, a list of texts;
 /// - `assumed`: what the file does not say, with the value taken, a list of texts.
 class ForeignTables : public RecordedTables {

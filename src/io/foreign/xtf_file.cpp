@@ -244,7 +244,9 @@ std::unique_ptr<ForeignTables> open_xtf(const std::filesystem::path& path, const
   }
   tables->add_numbers("time", "s", 1, std::move(times));
   tables->describe(config);
-  if (const std::vector<std::string> names = side_scans_of(channels); sonar.empty() && names.size() > 1) {
+  const std::vector<std::string> names = side_scans_of(channels);
+  tables->set_attribute("sonars", names);
+  if (sonar.empty() && names.size() > 1) {
     tables->note(fmt::format("has {}; {} is taken, --sonar takes another", fmt::join(names, ", "), channel.name));
   }
   if (found->other_shape > 0) {

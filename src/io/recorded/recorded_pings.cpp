@@ -142,6 +142,10 @@ std::string RecordedPings::foreign_format() const {
   return state_->tables->text("format");
 }
 
+std::vector<std::string> RecordedPings::sonars() const {
+  return state_->texts("sonars");
+}
+
 std::vector<std::string> RecordedPings::notes() const {
   return state_->texts("notes");
 }
