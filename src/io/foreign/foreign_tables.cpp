@@ -57,7 +57,7 @@ void ForeignTables::describe(const SonarConfig& sonar) {
   set_attribute("sonar", sonar.name);
   set_attribute("sonar_model", sonar.model);
   set_settings({{"sonar", settings_json(sonar)}, {"receiver", nlohmann::json::object()}});
-  const auto add_axis = [&](const char* name, const char* unit, std::vector<double> centres) {
+  const auto add_axis = [&](const char* name, const char* unit, const std::vector<double>& centres) {
     if (find(name) == nullptr) {
       add(name, "<f8", {centres.size()}, false, unit,
           [centres](std::uint64_t) { return bytes_of_numbers(std::span<const double>(centres)); });
@@ -70,8 +70,8 @@ void ForeignTables::describe(const SonarConfig& sonar) {
   for (int bin = 0; bin < sonar.bin_count; ++bin) {
     ranges.push_back(sonar.bin_range(bin));
   }
-  add_axis("azimuth", "rad", std::move(azimuths));
-  add_axis("range", "m", std::move(ranges));
+  add_axis("azimuth", "rad", azimuths);
+  add_axis("range", "m", ranges);
 }
 
 void ForeignTables::set_settings(nlohmann::json settings) {
