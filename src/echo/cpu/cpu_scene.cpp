@@ -28,6 +28,27 @@ void place(RTCGeometry geometry, const Pose& world_from_mesh, const Vec3& origin
   rtcCommitGeometry(geometry);
 }
 
+// Large meshes of several static instances, if copies of them would have millions of triangles of 100 bytes. Rays enter
+// an Embree instance by a transformation, which takes time and rounds otherwise, so smaller scenes have copies.
+std::set<const Mesh*> meshes_to_share(const Scene& scene) {
+  constexpr std::size_t kLarge = 500, kMostCopied = 2'000'000;
+  std::map<const Mesh*, std::size_t> counts;
+  std::size_t copied = 0;
+  for (const Instance& instance : scene.instances) {
+    const std::size_t triangles = instance.mesh->triangles.size();
+    if (instance.present && !instance.moving && triangles >= kLarge && ++counts[instance.mesh.get()] > 1) {
+      copied += triangles;
+    }
+  }
+  std::set<const Mesh*> shared;
+  for (const auto& [mesh, count] : counts) {
+    if (count > 1 && copied > kMostCopied) {
+      shared.insert(mesh);
+    }
+  }
+  return shared;
+}
+
 }  // namespace
 
 CpuScene::CpuScene() {
@@ -53,11 +74,10 @@ void CpuScene::clear() {
   for (const Part& part : parts_) {
     if (part.placed != nullptr) {
       rtcReleaseGeometry(part.placed);
-      rtcReleaseScene(part.own_scene);
     }
   }
   parts_.clear();
-  any_moving_ = false;
+  any_placed_ = false;
   if (scene_ != nullptr) {
     rtcReleaseScene(scene_);
     scene_ = nullptr;
@@ -66,7 +86,7 @@ void CpuScene::clear() {
 
 // Whether a part is what an instance would become.
 bool CpuScene::has(const Part& part, const Instance& instance) const {
-  if (!instance.present || part.mesh != instance.mesh || (part.placed != nullptr) != instance.moving) {
+  if (!instance.present || part.mesh != instance.mesh || (part.placed != nullptr) != is_placed(instance)) {
     return false;
   }
   return instance.moving ||
@@ -79,9 +99,12 @@ void CpuScene::remove(unsigned id) {
   rtcDetachGeometry(scene_, id);
   if (part.placed != nullptr) {
     rtcReleaseGeometry(part.placed);
-    rtcReleaseScene(part.own_scene);
   }
   part = {};
+}
+
+bool CpuScene::is_placed(const Instance& instance) const {
+  return instance.moving || shared_.contains(instance.mesh.get());
 }
 
 // Adds an instance, or keeps the part that it is already.
@@ -97,7 +120,7 @@ void CpuScene::set(const Instance& instance, unsigned id, Workers& workers) {
   for (const std::uint16_t material : instance.materials) {
     part.surfaces.push_back(surface_label(static_cast<std::uint16_t>(id), material));
   }
-  any_moving_ |= instance.moving;
+  any_placed_ |= is_placed(instance);
   part.rotation = instance.world_from_mesh.orientation.toRotationMatrix().cast<float>();
   part.offset = (instance.world_from_mesh.position - origin_).cast<float>();
   const bool is_new = part.mesh == nullptr;
@@ -109,10 +132,10 @@ void CpuScene::set(const Instance& instance, unsigned id, Workers& workers) {
     part.slots = instance.mesh->material_slots.empty() ? nullptr : instance.mesh->material_slots.data();
   }
   any_faces_ |= !part.faces->faces.empty();
-  if (is_new && instance.moving) {
-    add_moving(instance, id);
+  if (is_new && is_placed(instance)) {
+    add_placed(instance, id);
   } else if (is_new) {
-    add_still(instance, id);
+    add_copy(instance, id);
   } else if (instance.moving) {
     place(part.placed, instance.world_from_mesh, origin_);
   }
@@ -139,7 +162,9 @@ void CpuScene::set(const Scene& scene, Workers& workers) {
     rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_DYNAMIC);
     rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_LOW);
   }
-  any_moving_ = any_faces_ = false;
+  any_placed_ = any_faces_ = false;
+  shared_ = meshes_to_share(scene);
+  std::erase_if(mesh_scenes_, [](const auto& entry) { return entry.second.expired(); });
   parts_.resize(scene.instances.size());
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     set(scene.instances[i], static_cast<unsigned>(i), workers);
@@ -163,7 +188,7 @@ RTCGeometry CpuScene::make_triangles(const Mesh& mesh, const std::vector<Vec3f>&
   return geometry;
 }
 
-void CpuScene::add_still(const Instance& instance, unsigned id) {
+void CpuScene::add_copy(const Instance& instance, unsigned id) {
   const Mesh& mesh = *instance.mesh;
   Part& part = parts_[id];
   part.own_vertices.reserve(mesh.vertices.size() + 1);
@@ -183,25 +208,36 @@ void CpuScene::add_still(const Instance& instance, unsigned id) {
     }
     part.normals = part.own_normals.data();
   }
+  part.vertices = part.own_vertices.data();
   RTCGeometry geometry = make_triangles(mesh, part.own_vertices);
   rtcAttachGeometryByID(scene_, geometry, id);
   rtcReleaseGeometry(geometry);
 }
 
-void CpuScene::add_moving(const Instance& instance, unsigned id) {
-  const Mesh& mesh = *instance.mesh;
-  Part& part = parts_[id];
-  part.normals = mesh.normals.data();
-  part.own_vertices.assign(mesh.vertices.begin(), mesh.vertices.end());
-  part.own_vertices.emplace_back(Vec3f::Zero());
-  part.own_scene = rtcNewScene(device_);
-  RTCGeometry geometry = make_triangles(mesh, part.own_vertices);
-  rtcAttachGeometry(part.own_scene, geometry);
-  rtcReleaseGeometry(geometry);
-  rtcCommitScene(part.own_scene);
+std::shared_ptr<CpuScene::MeshScene> CpuScene::scene_of(const Mesh& mesh) {
+  std::weak_ptr<MeshScene>& known = mesh_scenes_[&mesh];
+  std::shared_ptr<MeshScene> scene = known.lock();
+  if (scene == nullptr) {
+    scene = std::make_shared<MeshScene>(device_);
+    scene->vertices.reserve(mesh.vertices.size() + 1);
+    scene->vertices.assign(mesh.vertices.begin(), mesh.vertices.end());
+    scene->vertices.emplace_back(Vec3f::Zero());
+    RTCGeometry geometry = make_triangles(mesh, scene->vertices);
+    rtcAttachGeometry(scene->handle, geometry);
+    rtcReleaseGeometry(geometry);
+    rtcCommitScene(scene->handle);
+    known = scene;
+  }
+  return scene;
+}
 
+void CpuScene::add_placed(const Instance& instance, unsigned id) {
+  Part& part = parts_[id];
+  part.own_scene = scene_of(*instance.mesh);
+  part.vertices = part.own_scene->vertices.data();
+  part.normals = instance.mesh->normals.data();
   part.placed = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_INSTANCE);
-  rtcSetGeometryInstancedScene(part.placed, part.own_scene);
+  rtcSetGeometryInstancedScene(part.placed, part.own_scene->handle);
   part.rotation = instance.world_from_mesh.orientation.toRotationMatrix().cast<float>();
   place(part.placed, instance.world_from_mesh, origin_);
   rtcAttachGeometryByID(scene_, part.placed, id);
@@ -228,6 +264,10 @@ std::size_t CpuScene::bytes() const {
   std::size_t sum = 0;
   for (const Part& part : parts_) {
     sum += part.own_vertices.capacity() * sizeof(Vec3f) + part.own_normals.capacity() * sizeof(Vec3f);
+  }
+  for (const auto& [mesh, scene] : mesh_scenes_) {
+    const std::shared_ptr<MeshScene> in_use = scene.lock();
+    sum += in_use == nullptr ? 0 : in_use->vertices.capacity() * sizeof(Vec3f);
   }
   return sum;
 }

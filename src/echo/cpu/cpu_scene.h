@@ -3,7 +3,9 @@
 #pragma once
 
 #include <atomic>
+#include <map>
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "echo/cpu/embree.h"
@@ -18,7 +20,8 @@
 namespace insonify {
 
 /// A static instance is an Embree geometry with vertices in scene coordinates. A moving instance is an Embree instance
-/// of a scene of its own, so that moving it rebuilds only the top level of the hierarchy.
+/// of its mesh's own scene, so that moving it rebuilds only the top level of the hierarchy. So are static instances of
+/// one mesh where their copies would take hundreds of megabytes.
 class CpuScene {
  public:
   CpuScene();
@@ -39,7 +42,7 @@ class CpuScene {
   /// Calls RayPacket::occlude(). Coherent packets are avoided if there are Embree instances: there, Embree compiled by
   /// GCC 12 may never return, because it reads 64 bits of a mask that has 16 (github.com/RenderKit/embree/pull/574).
   void occlude(RayPacket& packet) const {
-    packet.occlude(scene_, any_moving_ ? Coherence::kScattered : Coherence::kAlike);
+    packet.occlude(scene_, any_placed_ ? Coherence::kScattered : Coherence::kAlike);
   }
 
   /// The water's surface.
@@ -89,40 +92,55 @@ class CpuScene {
   void bend_normals(const RTCRayHit16& rays, Shading& shading) const;
 
  private:
+  // A mesh in its own frame, shared by all that are placed.
+  struct MeshScene {
+    explicit MeshScene(RTCDevice device) : handle(rtcNewScene(device)) {}
+    ~MeshScene() { rtcReleaseScene(handle); }
+    MeshScene(const MeshScene&) = delete;
+    MeshScene& operator=(const MeshScene&) = delete;
+
+    RTCScene handle;
+    std::vector<Vec3f> vertices;
+  };
   // One instance of the scene.
   struct Part {
     std::shared_ptr<const Mesh> mesh;  // Null where the instance is not present.
     Pose world_from_mesh;              // Pose of a static part.
     const std::array<std::uint32_t, 3>* triangles = nullptr;
-    const Vec3f* normals = nullptr;  // In the world frame; of a moving part in its own frame.
+    const Vec3f* vertices = nullptr;
+    const Vec3f* normals = nullptr;  // Both in the world frame; of a placed part in its own frame.
     const std::uint16_t* slots = nullptr;
     std::vector<SurfaceLabel> surfaces;  // [material slot]
     std::shared_ptr<const MeshFaces> faces;
     Eigen::Matrix3f rotation = Eigen::Matrix3f::Identity();  // World from mesh.
-    Vec3f offset = Vec3f::Zero();                            // From the origin to a moving part's mesh [m].
+    Vec3f offset = Vec3f::Zero();                            // From the origin to a placed part's mesh [m].
     std::vector<Vec3f> own_vertices, own_normals;
-    RTCScene own_scene = nullptr;
-    RTCGeometry placed = nullptr;  // The Embree instance of a moving part.
+    std::shared_ptr<MeshScene> own_scene;
+    RTCGeometry placed = nullptr;  // The Embree instance of a part that moves, or shares its mesh.
   };
 
   void clear();
   [[nodiscard]] bool has(const Part& part, const Instance& instance) const;
   void set(const Instance& instance, unsigned id, Workers& workers);
   void remove(unsigned id);
-  void add_still(const Instance& instance, unsigned id);
-  void add_moving(const Instance& instance, unsigned id);
+  [[nodiscard]] bool is_placed(const Instance& instance) const;
+  void add_copy(const Instance& instance, unsigned id);
+  void add_placed(const Instance& instance, unsigned id);
+  [[nodiscard]] std::shared_ptr<MeshScene> scene_of(const Mesh& mesh);
   RTCGeometry make_triangles(const Mesh& mesh, const std::vector<Vec3f>& vertices);
 
   std::atomic<std::ptrdiff_t> embree_bytes_ = 0;
   RTCDevice device_ = nullptr;
   RTCScene scene_ = nullptr;
   std::vector<Part> parts_;
+  std::set<const Mesh*> shared_;  // Meshes whose static instances are placed.
+  std::map<const Mesh*, std::weak_ptr<MeshScene>> mesh_scenes_;
   BoxCut boxes_;
   Reliefs reliefs_;
   std::vector<float> reflectivity_;
   Vec3 origin_ = Vec3::Zero();
   WaterPlane water_;
-  bool any_moving_ = false, moved_ = false, any_faces_ = false;
+  bool any_placed_ = false, moved_ = false, any_faces_ = false;
   bool whole_ = false;  // Whether set() has succeeded.
 };
 

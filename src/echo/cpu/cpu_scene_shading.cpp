@@ -59,9 +59,9 @@ RayTube CpuScene::tube(SurfaceLabel surface, std::uint32_t triangle, const Vec3f
                        float range) const {
   const Part& part = parts_[instance_of(surface)];
   const auto& corners = part.triangles[triangle];
-  const Vec3f& first = part.own_vertices[corners[0]];
-  const CurvedTriangle mirror = {triple_of(part.own_vertices[corners[1]] - first),
-                                 triple_of(part.own_vertices[corners[2]] - first), triple_of(part.normals[corners[0]]),
+  const Vec3f& first = part.vertices[corners[0]];
+  const CurvedTriangle mirror = {triple_of(part.vertices[corners[1]] - first),
+                                 triple_of(part.vertices[corners[2]] - first), triple_of(part.normals[corners[0]]),
                                  triple_of(part.normals[corners[1]]), triple_of(part.normals[corners[2]])};
   if (part.placed == nullptr) {
     return ray_tube(mirror, triple_of(direction), triple_of(normal), range);
@@ -78,7 +78,7 @@ FaceEdges CpuScene::face_edges(SurfaceLabel surface, std::uint32_t triangle, con
   }
   const Face& face = part.faces->faces[face_of[triangle]];
   const Eigen::Matrix3f back = part.rotation.transpose();
-  const Vec3f& corner = part.own_vertices[face.corner];
+  const Vec3f& corner = part.vertices[face.corner];
   const Vec3f from_corner =
       part.placed == nullptr ? Vec3f(back * (point - corner)) : Vec3f(back * (point - part.offset) - corner);
   return FaceEdges::of(face, from_corner, part.rotation);

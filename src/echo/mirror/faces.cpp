@@ -242,11 +242,16 @@ std::shared_ptr<const MeshFaces> find_faces(const Mesh& mesh, Workers& workers) 
 }
 
 std::shared_ptr<const MeshFaces> shared_faces(const std::shared_ptr<const Mesh>& mesh, Workers& workers) {
+  constexpr std::size_t kFew = 16;
   static std::mutex mutex;
+  static std::size_t most = kFew;  // Old entries are erased when there are more.
   static std::map<std::weak_ptr<const Mesh>, std::weak_ptr<const MeshFaces>, std::owner_less<>> known;
   {
     const std::scoped_lock lock(mutex);
-    std::erase_if(known, [](const auto& entry) { return entry.first.expired() || entry.second.expired(); });
+    if (known.size() > most) {
+      std::erase_if(known, [](const auto& entry) { return entry.first.expired() || entry.second.expired(); });
+      most = 2 * known.size() + kFew;
+    }
     if (const auto entry = known.find(mesh); entry != known.end()) {
       if (std::shared_ptr<const MeshFaces> faces = entry->second.lock()) {
         return faces;

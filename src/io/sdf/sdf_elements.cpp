@@ -104,15 +104,4 @@ bool put_world_around_sdf_models(pugi::xml_node root) {
   return true;
 }
 
-std::vector<pugi::xml_node> sdf_elements_of(const XmlFile& file) {
-  std::vector<pugi::xml_node> elements{file.root()};
-  file.root().find_node([&](pugi::xml_node node) {
-    if (node.type() == pugi::node_element) {
-      elements.push_back(node);
-    }
-    return false;
-  });
-  return elements;
-}
-
 }  // namespace insonify

@@ -35,7 +35,4 @@ void keep_empty_sdf_model_readable(pugi::xml_node parent);
 /// it did.
 bool put_world_around_sdf_models(pugi::xml_node root);
 
-/// All elements in document order.
-[[nodiscard]] std::vector<pugi::xml_node> sdf_elements_of(const XmlFile& file);
-
 }  // namespace insonify

@@ -1,5 +1,5 @@
-// sdf_file.cpp -- reads a file by libsdformat, without its joints if need be; of a list of errors one message about the
-// cause.
+// sdf_file.cpp -- reads a file by libsdformat, without its joints if need be; makes one message about the cause of a
+// list of errors.
 
 #include "io/sdf/sdf_file.h"
 
@@ -82,20 +82,22 @@ SdfFault summary(const sdf::Errors& errors, const std::vector<std::string>& cons
 }
 
 // libsdformat does not pass on errors inside included files: they are found by reading each file again.
-void explain_failure(const sdf::Errors& errors, const std::vector<std::string>& console, const SdfSource& source) {
-  for (const std::string& file : source.files()) {
+void explain_failure(const sdf::Errors& errors, const std::vector<std::string>& console, const SdfSource& source,
+                     const std::string& portion) {
+  std::vector<std::string> files = source.includes();
+  files.push_back(portion);
+  for (const std::string& file : files) {
     const SdfConsole quiet;
     sdf::Errors faults;
     if (sdf::readFile(file, faults) == nullptr || !faults.empty()) {
       throw summary(faults.empty() ? errors : faults, quiet.sentences(), file, source);
     }
   }
-  throw summary(errors, console, source.files().back(), source);
+  throw summary(errors, console, portion, source);
 }
 
 // For some faulty values libsdformat throws exceptions of the standard library.
-sdf::Errors load(const SdfSource& source, sdf::Root& root) {
-  const std::string& file = source.files().back();
+sdf::Errors load(const SdfSource& source, const std::string& file, sdf::Root& root) {
   try {
     return root.Load(file);
   } catch (const std::exception& exception) {
@@ -103,44 +105,46 @@ sdf::Errors load(const SdfSource& source, sdf::Root& root) {
   }
 }
 
-// Parses the files that `source` prepared; errors become one line, warnings go to the log. Nothing is printed.
+// Parses a portion that `source` prepared; errors become one line, warnings go to the log. Nothing is printed.
 // @throws Error "path:line:column: ..." for the first fault; the message ends with the number of further ones.
-sdf::Root read_sdf_root(const SdfSource& source, const Log& log) {
+sdf::Root read_sdf_root(const SdfSource& source, const std::string& portion, const Log& log) {
   const SdfConsole console;
   sdf::Root root;
-  const sdf::Errors errors = load(source, root);
+  const sdf::Errors errors = load(source, portion, root);
   if (!errors.empty()) {
-    explain_failure(errors, console.sentences(), source);
+    explain_failure(errors, console.sentences(), source, portion);
   }
   for (const std::string& sentence : console.sentences()) {
     if (!sentence.starts_with("Unable to convert from SDF version")) {  // SdfSource warns of that, with file and line.
       log_line(log, Severity::kWarning,
-               fmt::format("{}: {}", source.shown(source.files().back()),
-                           foreign_reason(source.with_users_places(sentence))));
+               fmt::format("{}: {}", source.shown(portion), foreign_reason(source.with_users_places(sentence))));
     }
   }
   return root;
 }
 
-SdfFile parse(const std::filesystem::path& path, const SdfReading& reading, const std::set<std::string>& without,
-              MissingParts& missing, const Log& log) {
-  SdfFile parsed;
-  parsed.source = std::make_unique<SdfSource>(path, reading, without, missing, log);
+// Nothing if the file must be read as a whole.
+std::optional<SdfModels> parse(const std::filesystem::path& path, const SdfReading& reading,
+                               const std::set<std::string>& without, MissingParts& missing, const Log& log) {
+  const SdfSource source(path, reading, without, missing, log);
   if (reading.strict) {
     missing.report(path.string(), reading.strict, log);
   }
   if (MeshReadAhead* const ahead = MeshReadAhead::current()) {
-    parsed.source->want_meshes(*ahead);
+    source.want_meshes(*ahead);
   }
+  SdfModels models;
   try {
-    parsed.root = read_sdf_root(*parsed.source, log);
+    for (const std::string& portion : source.portions()) {
+      models.add(source, read_sdf_root(source, portion, log));
+    }
   } catch (const SdfFault&) {
     throw;
   } catch (const Error& error) {
     throw missing.empty() ? error
                           : Error(fmt::format("{}; missing parts may be the cause: {}", error.what(), missing.text()));
   }
-  return parsed;
+  return models.add_twins(source.twins()) ? std::optional(std::move(models)) : std::nullopt;
 }
 
 }  // namespace
@@ -161,7 +165,8 @@ std::unique_lock<std::mutex> lock_sdf() {
 
 // If the file cannot be read, it is read again without the element that is at fault; if none is known, or there are too
 // many of them, without its joints, which have no shape.
-SdfFile read_sdf_file(const std::filesystem::path& path, SdfReading reading, MissingParts& missing, const Log& log) {
+SdfModels read_sdf_models(const std::filesystem::path& path, SdfReading reading, MissingParts& missing,
+                          const Log& log) {
   constexpr std::size_t kMostFaults = 100;
   std::set<std::string> without;
   std::vector<std::string> faults;
@@ -175,13 +180,17 @@ SdfFile read_sdf_file(const std::filesystem::path& path, SdfReading reading, Mis
     };
     MissingParts found;
     try {
-      SdfFile parsed = parse(path, reading, without, found, keep);
+      std::optional<SdfModels> models = parse(path, reading, without, found, keep);
+      if (!models) {
+        reading.whole = true;
+        continue;
+      }
       flush_warnings();
       for (const std::string& fault : faults) {
         found.add(fault, "");
       }
       missing = found;
-      return parsed;
+      return std::move(*models);
     } catch (const Error& error) {
       const auto* fault = dynamic_cast<const SdfFault*>(&error);
       const bool is_known = fault != nullptr && !fault->place_to_leave_out.empty() && faults.size() < kMostFaults &&

@@ -14,19 +14,13 @@ Scene load_sdf_scene(const std::filesystem::path& path, const WorldOptions& opti
     ahead.emplace();
   }
   MissingParts missing;
-  SdfFile parsed = read_sdf_file(path, {.strict = options.strict, .twins = true}, missing, log);
-  const SdfTwins& twins = parsed.source->twins();
-  if (!twins.twins.empty() && parsed.root.WorldByIndex(0)->ModelCount() != twins.left) {
-    missing = {};
-    parsed = read_sdf_file(path, {.strict = options.strict}, missing, log);
+  const SdfModels read = read_sdf_models(path, {.strict = options.strict}, missing, log);
+  SdfSceneBuilder builder(options, missing, log);
+  for (const SdfWorld& world : read.worlds) {
+    builder.add_world(world);
   }
-
-  SdfSceneBuilder builder(*parsed.source, options, missing, log);
-  for (std::uint64_t w = 0; w < parsed.root.WorldCount(); ++w) {
-    builder.add_world(*parsed.root.WorldByIndex(w));
-  }
-  if (parsed.root.Model() != nullptr) {
-    builder.add_model(*parsed.root.Model());
+  if (read.model) {
+    builder.add_model(*read.model);
   }
   return builder.finish(path.string());
 }

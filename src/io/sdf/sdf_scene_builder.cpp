@@ -5,67 +5,43 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <map>
-
 #include "base/log_line.h"
 #include "insonify/error.h"
 #include "insonify/printable.h"
-#include "io/file/input_file.h"
 #include "io/sdf/sdf_material.h"
-#include "io/sdf/sdf_poses.h"
 #include "io/world/water_shapes.h"
 
 namespace insonify {
 namespace {
 
-std::size_t visual_count(const sdf::Model& model) {
-  std::size_t count = 0;
-  for (std::uint64_t i = 0; i < model.LinkCount(); ++i) {
-    count += model.LinkByIndex(i)->VisualCount();
-  }
-  for (std::uint64_t i = 0; i < model.ModelCount(); ++i) {
-    count += visual_count(*model.ModelByIndex(i));
-  }
-  return count;
+// "path:line:column: visual 'a::b::c'"
+std::string what(const char* kind, const std::string& name, const SdfElement& element) {
+  return fmt::format("{}{} '{}'", element.place.text(), kind, printable(name, kLongestName));
 }
 
-// Pose of a model, link, visual or collision in its parent.
-template <typename Part>
-Pose resolve(const Part& part, const std::string& where) {
-  sdf_math::Pose3d pose;
-  const sdf::Errors errors = part.SemanticPose().Resolve(pose);
-  if (!errors.empty()) {
-    throw Error(where + ": its pose cannot be worked out: " + foreign_reason(errors.front().Message()));
+// Pose of an element in its parent.
+Pose resolve(const SdfElement& element, const std::string& where) {
+  if (!element.pose_fault.empty()) {
+    throw Error(where + element.pose_fault);
   }
-  const sdf_math::Vector3d& position = pose.Pos();
-  for (const double value : {position.X(), position.Y(), position.Z()}) {
+  const Vec3& position = element.pose.position;
+  for (const double value : position) {
     if (!coordinate().allow(value)) {
-      throw Error(fmt::format("{}: <pose> = {} {} {} m must be {} m in each direction", where, position.X(),
-                              position.Y(), position.Z(), coordinate().text()));
+      throw Error(fmt::format("{}: <pose> = {} {} {} m must be {} m in each direction", where, position.x(),
+                              position.y(), position.z(), coordinate().text()));
     }
   }
-  return pose_of(pose);
+  return element.pose;
 }
 
 }  // namespace
 
-Place SdfSceneBuilder::place(sdf::Element& element) const {
-  if (!element.LineNumber()) {
-    return {source_.shown(element.FilePath())};
+SdfSceneBuilder::MaterialName SdfSceneBuilder::own_or(const MaterialName& inherited, const SdfElement& element,
+                                                      const std::string& where) {
+  if (!element.material_fault.empty()) {
+    throw InsonifyElementError(where + element.material_fault);
   }
-  const std::string name = element.HasAttribute("name") ? element.GetAttribute("name")->GetAsString() : "";
-  return source_.place(element.FilePath(), *element.LineNumber(), element.GetName(), name);
-}
-
-// "path:line:column: visual 'a::b::c'"
-std::string SdfSceneBuilder::what(const char* kind, const std::string& name, sdf::Element& element) const {
-  return fmt::format("{}{} '{}'", place(element).text(), kind, printable(name, kLongestName));
-}
-
-SdfSceneBuilder::MaterialName SdfSceneBuilder::own_or(const MaterialName& inherited, const sdf::ElementPtr& element,
-                                                      const std::string& where) const {
-  const std::string own = sdf_material(element, where);
-  return own.empty() ? inherited : MaterialName{own, place(*element)};
+  return element.material.empty() ? inherited : MaterialName{element.material, element.place};
 }
 
 // Adds something that is skipped with its fault. Returns whether it could be read.
@@ -87,24 +63,25 @@ bool SdfSceneBuilder::add_or_skip(const Add& add) {
   return false;
 }
 
-// How much of the light behind a visual it stops, from 0 to 1.
-double SdfSceneBuilder::opacity(const sdf::Visual& visual) const {
-  return (1 - static_cast<double>(visual.Transparency())) * source_.opacity(place(*visual.Element()).text());
+std::optional<PlacedMesh> SdfSceneBuilder::make(const SdfPart& part, const std::string& where) {
+  if (part.shape) {
+    return shapes_.make(*part.shape, part.file, where);
+  }
+  const std::string& name = part.unknown_shape;
+  log_line(log_, Severity::kWarning,
+           where + " is skipped: " +
+               (name.empty() ? "it has no shape" : fmt::format("insonify has no shape <{}>", printable(name))));
+  return std::nullopt;
 }
 
-bool SdfSceneBuilder::is_painted_as_water(const sdf::Visual& visual) const {
-  return source_.is_water(place(*visual.Element()).text());
-}
-
-template <typename Part>
-void SdfSceneBuilder::add_part(const Part& part, const char* kind, const std::string& scope,
+void SdfSceneBuilder::add_part(const SdfPart& part, const char* kind, const std::string& scope,
                                const Pose& world_from_link, const MaterialName& material) {
-  const std::string name = scope + part.Name();
+  const std::string name = scope + part.name;
   if (ignored_.match(name)) {
     return;
   }
-  const std::string where = what(kind, name, *part.Element());
-  const std::optional<PlacedMesh> shape = shapes_.shape(*part.Geom(), where, collisions_);
+  const std::string where = what(kind, name, part);
+  const std::optional<PlacedMesh> shape = make(part, where);
   if (!shape) {
     return;
   }
@@ -116,15 +93,14 @@ void SdfSceneBuilder::add_part(const Part& part, const char* kind, const std::st
   instance.mesh = shape->mesh;
   instance.world_from_mesh = world_from_link * resolve(part, where) * Pose{shape->offset};
   check_reach(instance, where);
-  const MaterialName own = own_or(material, part.Element(), where);
+  const MaterialName own = own_or(material, part, where);
   if (own.name.empty() && !options_.keep_water) {
     constexpr double kClear = 0.5;
-    const double opaque = opacity(part);
-    if (is_water_name(name) || is_painted_as_water(part) || (opaque < kClear && is_level_sheet(instance))) {
+    if (is_water_name(name) || part.is_painted_as_water || (part.opacity < kClear && is_level_sheet(instance))) {
       water_.push_back(printable(name, kLongestName));
       return;
     }
-    if (opaque <= 0) {
+    if (part.opacity <= 0) {
       for_eyes_.push_back(printable(name, kLongestName));
     }
   }
@@ -133,60 +109,58 @@ void SdfSceneBuilder::add_part(const Part& part, const char* kind, const std::st
   scene_.instances.push_back(std::move(instance));
 }
 
-void SdfSceneBuilder::add_link(const sdf::Link& link, const std::string& scope, const Pose& world_from_model,
+void SdfSceneBuilder::add_link(const SdfLink& link, const std::string& scope, const Pose& world_from_model,
                                MaterialName material) {
-  const std::string name = scope + link.Name();
+  const std::string name = scope + link.name;
   if (ignored_.match(name)) {
     return;
   }
-  const std::string where = what("link", name, *link.Element());
+  const std::string where = what("link", name, link);
   const Pose world_from_link = world_from_model * resolve(link, where);
-  material = own_or(material, link.Element(), where);
-  visual_count_ += link.VisualCount();
-  collision_count_ += link.CollisionCount();
+  material = own_or(material, link, where);
+  visual_count_ += link.visuals.size();
+  collision_count_ += link.collisions.size();
   const auto add_collisions = [&] {
-    for (std::uint64_t i = 0; i < link.CollisionCount(); ++i) {
-      add_or_skip([&] { add_part(*link.CollisionByIndex(i), "collision", name + "::", world_from_link, material); });
+    for (const SdfPart& collision : link.collisions) {
+      add_or_skip([&] { add_part(collision, "collision", name + "::", world_from_link, material); });
     }
   };
   if (collisions_) {
     add_collisions();
     return;
   }
-  std::uint64_t unreadable = 0;
-  for (std::uint64_t i = 0; i < link.VisualCount(); ++i) {
-    unreadable +=
-        add_or_skip([&] { add_part(*link.VisualByIndex(i), "visual", name + "::", world_from_link, material); }) ? 0
-                                                                                                                 : 1;
+  std::size_t unreadable = 0;
+  for (const SdfPart& visual : link.visuals) {
+    unreadable += add_or_skip([&] { add_part(visual, "visual", name + "::", world_from_link, material); }) ? 0 : 1;
   }
-  if (unreadable > 0 && unreadable == link.VisualCount() && link.CollisionCount() > 0) {
+  if (unreadable > 0 && unreadable == link.visuals.size() && !link.collisions.empty()) {
     add_collisions();
     unreadable_visuals_.push_back(printable(name, kLongestName));
   }
 }
 
 // `material` applies to all parts that name none themselves.
-void SdfSceneBuilder::add_model(const sdf::Model& model, const std::string& name, const Pose& world_from_model,
+void SdfSceneBuilder::add_model(const SdfModel& model, const std::string& name, const Pose& world_from_model,
                                 MaterialName material) {
   if (ignored_.match(name)) {
     return;
   }
-  material = own_or(material, model.Element(), what("model", name, *model.Element()));
-  for (std::uint64_t i = 0; i < model.LinkCount(); ++i) {
-    add_or_skip([&] { add_link(*model.LinkByIndex(i), name + "::", world_from_model, material); });
+  material = own_or(material, model, what("model", name, model));
+  for (const SdfLink& link : model.links) {
+    add_or_skip([&] { add_link(link, name + "::", world_from_model, material); });
   }
-  for (std::uint64_t i = 0; i < model.ModelCount(); ++i) {
+  for (const SdfModel& inner : model.models) {
     add_or_skip([&] {
-      const sdf::Model& inner = *model.ModelByIndex(i);
-      const Pose model_from_inner = resolve(inner, what("model", name + "::" + inner.Name(), *inner.Element()));
-      add_model(inner, name + "::" + inner.Name(), world_from_model * model_from_inner, material);
+      const std::string inner_name = name + "::" + inner.name;
+      const Pose model_from_inner = resolve(inner, what("model", inner_name, inner));
+      add_model(inner, inner_name, world_from_model * model_from_inner, material);
     });
   }
 }
 
 // A model without a visual has its collision shapes insonified, or a scene would lack it in silence.
-void SdfSceneBuilder::add_top_model(const sdf::Model& model, const std::string& name, const Pose& world_from_model) {
-  collisions_ = options_.collisions || visual_count(model) == 0;
+void SdfSceneBuilder::add_top_model(const SdfModel& model, const std::string& name, const Pose& world_from_model) {
+  collisions_ = options_.collisions || model.visual_count() == 0;
   const std::size_t before = scene_.instances.size();
   add_model(model, name, world_from_model, {});
   if (!options_.collisions && collisions_ && scene_.instances.size() > before) {
@@ -194,29 +168,18 @@ void SdfSceneBuilder::add_top_model(const sdf::Model& model, const std::string& 
   }
 }
 
-// In the order of the file: the twins that stand before each model, then the model.
-void SdfSceneBuilder::add_world(const sdf::World& world) {
-  const std::map<std::string, Pose> saved = sdf_saved_poses(world);
-  const auto add = [&](const sdf::Model& model, const std::string& name, const Pose& own) {
-    const auto found = saved.find(name);
-    add_top_model(model, name, found == saved.end() ? own : found->second);
-  };
-  const std::vector<SdfTwin>& twins = source_.twins().twins;
-  auto twin = twins.begin();
-  for (std::uint64_t i = 0; i <= world.ModelCount(); ++i) {
-    for (; twin != twins.end() && twin->before == i; ++twin) {
-      add_or_skip([&] { add(*world.ModelByIndex(twin->first), twin->name, twin->pose); });
-    }
-    if (i < world.ModelCount()) {
-      const sdf::Model& model = *world.ModelByIndex(i);
-      add_or_skip([&] { add(model, model.Name(), resolve(model, what("model", model.Name(), *model.Element()))); });
-    }
+void SdfSceneBuilder::add_world(const SdfWorld& world) {
+  for (const SdfModel& model : world.models) {
+    add_or_skip([&] {
+      const auto saved = world.saved_poses.find(model.name);
+      const Pose own = resolve(model, what("model", model.name, model));
+      add_top_model(model, model.name, saved == world.saved_poses.end() ? own : saved->second);
+    });
   }
 }
 
-void SdfSceneBuilder::add_model(const sdf::Model& model) {
-  add_or_skip(
-      [&] { add_top_model(model, model.Name(), resolve(model, what("model", model.Name(), *model.Element()))); });
+void SdfSceneBuilder::add_model(const SdfModel& model) {
+  add_or_skip([&] { add_top_model(model, model.name, resolve(model, what("model", model.name, model))); });
 }
 
 void SdfSceneBuilder::warn(const std::string& file, const std::string& text,

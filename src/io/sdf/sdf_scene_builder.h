@@ -2,11 +2,6 @@
 
 #pragma once
 
-#include <sdf/Collision.hh>
-#include <sdf/Link.hh>
-#include <sdf/Model.hh>
-#include <sdf/Visual.hh>
-#include <sdf/World.hh>
 #include <set>
 #include <string>
 #include <vector>
@@ -16,8 +11,8 @@
 #include "insonify/scene.h"
 #include "io/file/missing_parts.h"
 #include "io/file/name_patterns.h"
-#include "io/sdf/sdf_shape.h"
-#include "io/sdf/sdf_source.h"
+#include "io/sdf/sdf_models.h"
+#include "io/world/shape_maker.h"
 
 namespace insonify {
 
@@ -26,20 +21,15 @@ class SdfSceneBuilder {
  public:
   /// @param missing  Receives missing and unreadable files of meshes and heightmaps.
   /// All arguments must outlive this object.
-  SdfSceneBuilder(const SdfSource& source, const WorldOptions& options, MissingParts& missing, const Log& log)
-      : source_(source),
-        options_(options),
-        missing_(missing),
-        log_(log),
-        ignored_(options.ignore),
-        shapes_(source, log) {}
+  SdfSceneBuilder(const WorldOptions& options, MissingParts& missing, const Log& log)
+      : options_(options), missing_(missing), log_(log), ignored_(options.ignore), shapes_(log) {}
 
   /// Adds all models of a world, at the poses of its <state> if there is one.
   /// @throws Error "path:line:column: ..." for faults.
-  void add_world(const sdf::World& world);
+  void add_world(const SdfWorld& world);
 
   /// Adds a model outside of worlds.
-  void add_model(const sdf::Model& model);
+  void add_model(const SdfModel& model);
 
   /// Returns the scene, and reports to the log what is not in it, or differs from its appearance.
   /// @param file  Its name in messages.
@@ -55,30 +45,22 @@ class SdfSceneBuilder {
 
   template <typename Add>
   bool add_or_skip(const Add& add);
-  void add_top_model(const sdf::Model& model, const std::string& name, const Pose& world_from_model);
-  void add_model(const sdf::Model& model, const std::string& name, const Pose& world_from_model, MaterialName material);
-  void add_link(const sdf::Link& link, const std::string& scope, const Pose& world_from_model, MaterialName material);
-  template <typename Part>
-  void add_part(const Part& part, const char* kind, const std::string& scope, const Pose& world_from_link,
+  void add_top_model(const SdfModel& model, const std::string& name, const Pose& world_from_model);
+  void add_model(const SdfModel& model, const std::string& name, const Pose& world_from_model, MaterialName material);
+  void add_link(const SdfLink& link, const std::string& scope, const Pose& world_from_model, MaterialName material);
+  void add_part(const SdfPart& part, const char* kind, const std::string& scope, const Pose& world_from_link,
                 const MaterialName& material);
-
-  [[nodiscard]] Place place(sdf::Element& element) const;
-  [[nodiscard]] std::string what(const char* kind, const std::string& name, sdf::Element& element) const;
-  [[nodiscard]] MaterialName own_or(const MaterialName& inherited, const sdf::ElementPtr& element,
-                                    const std::string& where) const;
-  [[nodiscard]] double opacity(const sdf::Visual& visual) const;
-  [[nodiscard]] static double opacity(const sdf::Collision& /*collision*/) { return 1; }
-  [[nodiscard]] bool is_painted_as_water(const sdf::Visual& visual) const;
-  [[nodiscard]] static bool is_painted_as_water(const sdf::Collision& /*collision*/) { return false; }
+  [[nodiscard]] static MaterialName own_or(const MaterialName& inherited, const SdfElement& element,
+                                           const std::string& where);
+  std::optional<PlacedMesh> make(const SdfPart& part, const std::string& where);
   void warn(const std::string& file, const std::string& text, const std::vector<std::string>& names) const;
   [[nodiscard]] std::string nothing_in(const std::string& file) const;
 
-  const SdfSource& source_;
   const WorldOptions& options_;
   MissingParts& missing_;
   const Log& log_;
   NamePatterns ignored_;
-  SdfShapes shapes_;
+  ShapeMaker shapes_;
   bool collisions_ = false;  // Whether the current model uses its collision shapes.
   std::vector<std::string> without_visuals_, unreadable_visuals_, water_, for_eyes_;
   std::set<std::string> names_;

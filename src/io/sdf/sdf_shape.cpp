@@ -2,8 +2,6 @@
 
 #include "io/sdf/sdf_shape.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
 #include <sdf/Box.hh>
@@ -16,8 +14,6 @@
 #include <sdf/Sphere.hh>
 #include <sstream>
 
-#include "base/log_line.h"
-#include "insonify/printable.h"
 #include "io/file/xml_file.h"
 
 namespace insonify {
@@ -93,8 +89,22 @@ std::optional<Shape> known_shape(const sdf::Geometry& geometry, bool collision) 
   return std::nullopt;
 }
 
-// The file that holds the geometry, from libsdformat.
-std::string file_of(const sdf::Geometry& geometry) {
+// Shapes that libsdformat 12 does not know. SDF 1.12 added the cone.
+std::optional<Shape> unknown_shape(const sdf::ElementPtr& element) {
+  if (!element || element->GetName() != "cone") {
+    return std::nullopt;
+  }
+  return Shape{
+      .kind = ShapeKind::kCone, .radius = number(element, "radius", 0.5), .length = number(element, "length", 1)};
+}
+
+sdf::ElementPtr element_of(const sdf::Geometry& geometry) {
+  return geometry.Element() ? geometry.Element()->GetFirstElement() : nullptr;
+}
+
+}  // namespace
+
+std::string sdf_shape_file(const sdf::Geometry& geometry) {
   switch (geometry.Type()) {
     case sdf::GeometryType::MESH:
       return geometry.MeshShape()->FilePath();
@@ -105,29 +115,14 @@ std::string file_of(const sdf::Geometry& geometry) {
   }
 }
 
-}  // namespace
-
-// Shapes that libsdformat 12 does not know. SDF 1.12 added the cone.
-std::optional<Shape> SdfShapes::unknown_shape(const sdf::Geometry& geometry, const std::string& what) const {
-  const sdf::ElementPtr element = geometry.Element() ? geometry.Element()->GetFirstElement() : nullptr;
-  if (element && element->GetName() == "cone") {
-    return Shape{
-        .kind = ShapeKind::kCone, .radius = number(element, "radius", 0.5), .length = number(element, "length", 1)};
-  }
-  const bool is_empty = element == nullptr || element->GetName() == "empty";
-  log_line(
-      log_, Severity::kWarning,
-      what + " is skipped: " +
-          (is_empty ? "it has no shape" : fmt::format("insonify has no shape <{}>", printable(element->GetName()))));
-  return std::nullopt;
+std::string sdf_shape_name(const sdf::Geometry& geometry) {
+  const sdf::ElementPtr element = element_of(geometry);
+  return element == nullptr || element->GetName() == "empty" ? "" : element->GetName();
 }
 
-std::optional<PlacedMesh> SdfShapes::shape(const sdf::Geometry& geometry, const std::string& what, bool collision) {
-  std::optional<Shape> shape = known_shape(geometry, collision);
-  if (!shape) {
-    shape = unknown_shape(geometry, what);
-  }
-  return shape ? std::optional(maker_.make(*shape, source_.original(file_of(geometry)), what)) : std::nullopt;
+std::optional<Shape> sdf_shape(const sdf::Geometry& geometry, bool collision) {
+  const std::optional<Shape> known = known_shape(geometry, collision);
+  return known ? known : unknown_shape(element_of(geometry));
 }
 
 }  // namespace insonify

@@ -193,43 +193,72 @@ void SdfSource::open(const std::string& name) {
   sources_[name] = std::move(source);
 }
 
-// Returns the path that libsdformat reads instead of a file that open() has read; nothing for an included file that
-// holds no models.
+// Number of elements in it, and in files that it includes, that libsdformat takes much memory for.
+std::size_t SdfSource::weight_of(pugi::xml_node element) const {
+  static const std::set<std::string_view> kHeavy = {"model", "link", "visual", "collision"};
+  if (is_sdf_include(element)) {
+    const auto included = ready_.find(original(xml_text(element.child("uri"))));
+    return included == ready_.end() ? 1 : included->second.weight;
+  }
+  std::size_t sum = kHeavy.contains(element.name()) ? 1 : 0;
+  for (const pugi::xml_node child : element.children()) {
+    sum += weight_of(child);
+  }
+  return sum;
+}
+
+// Returns the path where libsdformat reads a portion. It reports lines there; those of a copy are found by parsing it.
+std::string SdfSource::make_readable(const SdfPortion& portion, const Source& source, const std::string& name,
+                                     bool copied) {
+  if (!copied) {
+    for (const pugi::xml_node element : portion.elements) {
+      lines_[name].emplace(source.xml.line_of(element), element);
+    }
+    return name;
+  }
+  const std::string text = portion.text.empty() ? text_of(source.xml) : portion.text;
+  const std::string copy = write_copy(text, name);
+  const XmlFile parsed(text, copy);
+  const std::vector<pugi::xml_node> copies = whole_sdf(parsed.root()).elements;
+  Lines& lines = lines_[copy];
+  for (std::size_t i = 0; i < copies.size(); ++i) {
+    lines.emplace(parsed.line_of(copies[i]), portion.elements[i]);
+  }
+  return copy;
+}
+
+// Makes what libsdformat reads instead of a file that open() has read. Returns the path of an included file; nothing
+// for one that holds no models.
 std::optional<std::string> SdfSource::prepare(const std::string& name) {
   Source& source = *sources_.at(name);
+  const pugi::xml_node root = source.xml.root();
   const bool is_included = !ready_.empty();
-  const bool is_empty = is_included && holds_only_sdf_lights(source.xml.root());
+  const bool is_empty = is_included && holds_only_sdf_lights(root);
   ready_[name] = {Ready::kBegun, std::nullopt};
 
-  const bool changed_inside = prepare_inside(source.xml.root(), source.xml, name);
+  bool changed = prepare_inside(root, source.xml, name) || source.converted;
   if (is_empty) {
     ready_[name] = {Ready::kDone, std::nullopt};
     return std::nullopt;
   }
-  if (!is_included && reading_.twins) {
-    twins_ = take_out_sdf_twins(source.xml.root());
+  changed = put_world_around_sdf_models(root) || changed;
+  if (is_included) {
+    const std::string file = make_readable(whole_sdf(root), source, name, changed);
+    ready_[name] = {Ready::kDone, file, weight_of(root)};
+    includes_.push_back(file);
+    return file;
   }
-  const bool changed =
-      put_world_around_sdf_models(source.xml.root()) || changed_inside || source.converted || !twins_.twins.empty();
-  const std::string copy = changed ? text_of(source.xml) : "";
-  const std::string to_read = changed ? write_copy(copy, name) : name;
-
-  // libsdformat reports lines of the file that it reads. Those of a copy are found by parsing the copy.
-  const std::vector<pugi::xml_node> elements = sdf_elements_of(source.xml);
-  if (changed) {
-    const XmlFile copied(copy, to_read);
-    const std::vector<pugi::xml_node> copies = sdf_elements_of(copied);
-    for (std::size_t i = 0; i < elements.size(); ++i) {
-      source.lines.emplace(copied.line_of(copies[i]), elements[i]);
-    }
-  } else {
-    for (const pugi::xml_node element : elements) {
-      source.lines.emplace(source.xml.line_of(element), element);
-    }
+  if (!reading_.whole) {
+    twins_ = take_out_sdf_twins(root);
   }
-  ready_[name] = {Ready::kDone, to_read};
-  files_.push_back(to_read);
-  return to_read;
+  const auto weight = [this](pugi::xml_node model) { return weight_of(model); };
+  const std::vector<SdfPortion> portions = reading_.whole ? std::vector{whole_sdf(root)} : sdf_portions(root, weight);
+  changed = changed || !twins_.twins.empty() || portions.size() > 1;
+  for (const SdfPortion& portion : portions) {
+    portions_.push_back(make_readable(portion, source, name, changed));
+  }
+  ready_[name].state = Ready::kDone;
+  return std::nullopt;
 }
 
 }  // namespace insonify

@@ -16,6 +16,7 @@
 #include "io/file/xml_file.h"
 #include "io/mesh/mesh_read_ahead.h"
 #include "io/sdf/sdf_check.h"
+#include "io/sdf/sdf_portions.h"
 #include "io/sdf/sdf_twins.h"
 
 namespace insonify {
@@ -25,7 +26,7 @@ struct SdfReading {
   bool joints = true;   ///< Whether joints are kept. They have no shape and can be removed, except those that are the
                         ///< frame of something else.
   bool strict = false;  ///< Whether a pose with too few numbers is an error; else it is completed.
-  bool twins = false;   ///< Whether models that are equal but for names and poses are taken out: see twins().
+  bool whole = false;   ///< Whether the file is read as a whole: without twins() and in one portion.
 };
 
 /// Prepares an SDF file and the files that it includes for libsdformat.
@@ -35,7 +36,7 @@ struct SdfReading {
 /// are removed, so that their faults do not matter; so are includes of files with nothing but lights or actors. Several
 /// models at the root, of which libsdformat reads only one, are put into a world. A file that was changed is read from
 /// a copy in a scratch folder, which is removed with this object. place() maps the lines of a copy to those of the
-/// file.
+/// file. Worlds of many models are read in portions.
 class SdfSource {
  public:
   /// @param without  "path:line:column: " of elements that are left out for their faults.
@@ -51,8 +52,11 @@ class SdfSource {
   SdfSource(const SdfSource&) = delete;
   SdfSource& operator=(const SdfSource&) = delete;
 
-  /// The files that libsdformat reads, innermost includes first, the file itself last. Absolute paths.
-  [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
+  /// The files that libsdformat reads with an include, innermost first. Absolute paths, as those of portions().
+  [[nodiscard]] const std::vector<std::string>& includes() const { return includes_; }
+
+  /// The file itself, in portions: each a world with some of its models.
+  [[nodiscard]] const std::vector<std::string>& portions() const { return portions_; }
 
   /// Models of the file itself that were taken out of its world.
   [[nodiscard]] const SdfTwins& twins() const { return twins_; }
@@ -60,7 +64,7 @@ class SdfSource {
   /// Asks for the meshes of all visuals.
   void want_meshes(MeshReadAhead& ahead) const;
 
-  /// The user's file that one of files() is a copy of, absolute; any other path unchanged.
+  /// The user's file that one of these is a copy of, absolute; any other path unchanged.
   [[nodiscard]] std::string original(const std::string& path) const;
 
   /// The same as the user named it, for messages.
@@ -69,7 +73,7 @@ class SdfSource {
   /// A text of libsdformat's with the user's files and lines in place of those of copies.
   [[nodiscard]] std::string with_users_places(std::string text) const;
 
-  /// An element in one of files(), if its line there, its kind and its name identify it; else its line only, or the
+  /// An element in one of these files, if its line there, its kind and its name identify it; else its line only, or the
   /// file only for an element that is not in the user's.
   [[nodiscard]] Place place(const std::string& path, int line, const std::string& element,
                             const std::string& name = "") const;
@@ -103,17 +107,21 @@ class SdfSource {
   struct Ready {
     enum State { kBegun, kDone } state = kBegun;
     std::optional<std::string> file = {};
+    std::size_t weight = 0;  // See weight_of().
   };
-  // The tree of a user's file without the removed elements, and its elements by the line where libsdformat sees them.
+  // The tree of a user's file without the removed elements.
   struct Source {
     Source(XmlFile file, bool was_converted) : xml(std::move(file)), converted(was_converted) {}
     XmlFile xml;
     bool converted;  // From another encoding than UTF-8.
-    std::multimap<int, pugi::xml_node> lines;
   };
+  using Lines = std::multimap<int, pugi::xml_node>;
 
-  [[nodiscard]] pugi::xml_node find(const Source& source, int line, const std::string& element,
+  [[nodiscard]] pugi::xml_node find(const std::string& path, int line, const std::string& element,
                                     const std::string& name) const;
+  [[nodiscard]] pugi::xml_node any_at(const std::string& path, int line) const;
+  [[nodiscard]] std::size_t weight_of(pugi::xml_node element) const;
+  std::string make_readable(const SdfPortion& portion, const Source& source, const std::string& name, bool copied);
   void open(const std::string& name);
   std::optional<std::string> prepare(const std::string& name);
   void note_left_out(pugi::xml_node element, const XmlFile& xml);
@@ -125,9 +133,10 @@ class SdfSource {
 
   std::filesystem::path file_;
   std::filesystem::path scratch_;
-  std::vector<std::string> files_;
+  std::vector<std::string> includes_, portions_;
   std::map<std::string, std::string> originals_;            // copy -> original
   std::map<std::string, std::unique_ptr<Source>> sources_;  // by original
+  std::map<std::string, Lines> lines_;                      // by file read: elements of the originals
   std::map<std::string, Ready> ready_;                      // by original
   std::set<std::string> water_;                             // Places of visuals.
   std::map<std::string, double> opacities_;                 // By place, of those that are not opaque.

@@ -4,7 +4,6 @@
 
 #include <charconv>
 
-#include "io/sdf/sdf_elements.h"
 #include "io/sdf/sdf_source.h"
 
 namespace insonify {
@@ -41,12 +40,16 @@ std::string SdfSource::with_users_places(std::string text) const {
 }
 
 // The element at a line; null if it is ambiguous.
-pugi::xml_node SdfSource::find(const Source& source, int line, const std::string& element,
+pugi::xml_node SdfSource::find(const std::string& path, int line, const std::string& element,
                                const std::string& name) const {
+  const auto lines = lines_.find(path);
+  if (lines == lines_.end()) {
+    return {};
+  }
   pugi::xml_node found;
   int candidates = 0;
   const auto has_name = [&](pugi::xml_node node) { return node.attribute("name").value() == name; };
-  for (auto [at, end] = source.lines.equal_range(line); at != end; ++at) {
+  for (auto [at, end] = lines->second.equal_range(line); at != end; ++at) {
     if (at->second.name() == element) {
       found = !found || (!has_name(found) && has_name(at->second)) ? at->second : found;
       ++candidates;
@@ -56,46 +59,52 @@ pugi::xml_node SdfSource::find(const Source& source, int line, const std::string
   return is_certain ? found : pugi::xml_node();
 }
 
+// Any element at a line; null if there is none.
+pugi::xml_node SdfSource::any_at(const std::string& path, int line) const {
+  const auto lines = lines_.find(path);
+  const auto any = lines == lines_.end() ? Lines::const_iterator() : lines->second.find(line);
+  return lines == lines_.end() || any == lines->second.end() ? pugi::xml_node() : any->second;
+}
+
 Place SdfSource::place(const std::string& path, int line, const std::string& element, const std::string& name) const {
   const auto file = sources_.find(original(path));
   if (file == sources_.end()) {
     return {shown(path)};
   }
-  const Source& source = *file->second;
-  if (const pugi::xml_node found = find(source, line, element, name)) {
-    return source.xml.place(found);
+  const XmlFile& xml = file->second->xml;
+  if (const pugi::xml_node found = find(path, line, element, name)) {
+    return xml.place(found);
   }
-  const auto any = source.lines.find(line);
-  return any == source.lines.end() ? Place{shown(path)} : Place{shown(path), source.xml.line_of(any->second)};
+  const pugi::xml_node any = any_at(path, line);
+  return any ? Place{shown(path), xml.line_of(any)} : Place{shown(path)};
 }
 
 Place SdfSource::place_within(const std::string& path, int line, const std::string& element, const std::string& name,
                               const std::string& inner, const std::string& inner_name) const {
-  const auto file = sources_.find(original(path));
-  const pugi::xml_node outer = file == sources_.end() ? pugi::xml_node() : find(*file->second, line, element, name);
-  const pugi::xml_node found = outer.find_node(
-      [&](pugi::xml_node node) { return node.name() == inner && node.attribute("name").value() == inner_name; });
-  return found ? file->second->xml.place(found) : place(path, line, element, name);
+  const pugi::xml_node found = find(path, line, element, name).find_node([&](pugi::xml_node node) {
+    return node.name() == inner && node.attribute("name").value() == inner_name;
+  });
+  return found ? sources_.at(original(path))->xml.place(found) : place(path, line, element, name);
 }
 
 SdfFault SdfSource::fault(const std::string& message, const std::string& path, int line,
                           const std::string& element) const {
-  const Source& source = *sources_.at(sources_.contains(original(path)) ? original(path) : original(files_.back()));
-  pugi::xml_node found = find(source, line, element, "");
-  if (const auto any = source.lines.find(line); !found && any != source.lines.end()) {
-    found = any->second;
-  }
-  return {place(path, line, element).text() + message, source.xml, found};
+  const std::string& read = lines_.contains(path) ? path : portions_.back();
+  const pugi::xml_node found = find(read, line, element, "");
+  return {place(path, line, element).text() + message, sources_.at(original(read))->xml,
+          found ? found : any_at(read, line)};
 }
 
 SdfFault SdfSource::fault(const std::string& message, const std::string& path,
                           const std::vector<std::string>& names) const {
+  std::vector<std::string> files = includes_;
+  files.push_back(portions_.back());
   for (const std::string& name : names) {
     const XmlFile* first_file = nullptr;
     std::vector<pugi::xml_node> found;
-    for (auto file = files_.rbegin(); file != files_.rend(); ++file) {
+    for (auto file = files.rbegin(); file != files.rend(); ++file) {
       const XmlFile& xml = sources_.at(original(*file))->xml;
-      for (const pugi::xml_node element : sdf_elements_of(xml)) {
+      for (const pugi::xml_node element : whole_sdf(xml.root()).elements) {
         if (element.find_attribute([&](pugi::xml_attribute attribute) { return attribute.value() == name; })) {
           found.push_back(element);
           first_file = first_file == nullptr ? &xml : first_file;

@@ -2,35 +2,16 @@
 
 #include "io/sdf/sdf_twins.h"
 
-#include <algorithm>
 #include <charconv>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <sstream>
 
 #include "io/file/xml_file.h"
+#include "io/sdf/sdf_portions.h"
 
 namespace insonify {
 namespace {
-
-bool is_model(pugi::xml_node node) {
-  return node.name() == std::string_view("model") || node.name() == std::string_view("include");
-}
-
-bool is_relative(pugi::xml_node pose) {
-  return *pose.attribute("relative_to").value() != '\0' || *pose.attribute("frame").value() != '\0';
-}
-
-bool may_refer_to_models(pugi::xml_node world) {
-  const auto children = world.children();
-  return std::any_of(children.begin(), children.end(), [](pugi::xml_node node) {
-    const std::string_view name = node.name();
-    return name == "joint" || name == "frame" ||
-           (is_model(node) &&
-            (is_relative(node.child("pose")) || node.attribute("placement_frame") || node.child("placement_frame")));
-  });
-}
 
 // The six numbers of a pose; the identity if there is none, nothing for other texts.
 std::optional<Pose> plain_pose(pugi::xml_node element) {
@@ -77,14 +58,11 @@ std::string text_without_place(pugi::xml_node model) {
 
 SdfTwins take_out_sdf_twins(pugi::xml_node root) {
   SdfTwins found;
-  pugi::xml_node world = root.child("world");
-  if (!world || world.next_sibling("world") || may_refer_to_models(world)) {
-    return found;
-  }
+  pugi::xml_node world = independent_sdf_world(root);
   std::map<std::string, std::size_t> firsts;  // Index among those that are left, by text.
   for (pugi::xml_node child = world.first_child(), next; child; child = next) {
     next = child.next_sibling();
-    if (!is_model(child)) {
+    if (!is_sdf_model(child)) {
       continue;
     }
     const std::string name = name_of_model(child);

@@ -1,4 +1,4 @@
-// sdf_twins.h -- models of a world that differ only in name and pose: libsdformat takes megabytes for each.
+// sdf_twins.h -- models of a world that differ only in name and pose: libsdformat takes milliseconds for each.
 
 #pragma once
 
@@ -23,8 +23,7 @@ struct SdfTwins {
   std::size_t left = 0;             ///< Number of models and includes that are left in the world.
 };
 
-/// Takes twins out of the world of a file. None if it has several worlds, or something in the world refers to another
-/// model: a joint, a frame, a relative pose.
+/// Takes twins out of the world of a file, if it is an independent_sdf_world().
 [[nodiscard]] SdfTwins take_out_sdf_twins(pugi::xml_node root);
 
 }  // namespace insonify
