@@ -75,6 +75,20 @@ class OculusClientsTest(OculusCase):
         _, out, _, _ = sonar.end()
         self.assertIn("pings dropped, for they were not sent in time", out)
 
+    def test_a_client_that_sends_nothing_is_disconnected(self):
+        sonar = self.sonar("--silence", "2")
+        silent, awake = sonar.client(), sonar.client()
+        begun = time.monotonic()
+        with self.assertRaises(ConnectionError):
+            while time.monotonic() < begun + 20:
+                awake.send(message(DUMMY))
+                awake.receive()  # Dummy messages, one a second.
+                silent.receive()
+        self.assertGreater(time.monotonic(), begun + 2)
+        self.assertEqual(awake.ask(reach=5.0).reach, 5)
+        _, _, err, _ = sonar.end()
+        self.assertRegex(err, r"^insonify: warning: [\d.]+ has sent nothing for 2 s: disconnected\n$")
+
     def test_a_driver_may_start_again(self):
         sonar = self.sonar()
         for reach in (5.0, 6.0):

@@ -8,6 +8,7 @@
 #include "console/console.h"
 #include "console/outcome.h"
 #include "console/stop.h"
+#include "console/validators.h"
 #include "emulate/oculus_server.h"
 #include "emulate/ping360_server.h"
 
@@ -85,6 +86,9 @@ void add_emulate(const Command& program) {
   EmulateOptions& oculus_options = add_instrument(oculus, 52100, emulate_oculus);
   oculus.option("--high", "NAME", &oculus_options.high,
                 "Sonar of the scenario for the high frequency mode [the preset's]", not_empty("a sonar's name"));
+  oculus.option("--silence", "SECONDS", &oculus_options.silence,
+                "End the connection of a client that has sent nothing, not even a dummy message, for so long [30]",
+                number_within(from_to(1, 1e6)));
   oculus.footer(
       "Its range, frequency mode, gain, ping rate and sound speed are as fire messages say; the rest is the\n"
       "scenario's. Drivers find it by its status messages, and expect port 52100. Ctrl-C ends it; SIGUSR1 prints rate\n"

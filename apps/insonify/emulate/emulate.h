@@ -14,6 +14,7 @@ struct EmulateOptions {
   std::string high;   ///< Name of another for the high frequency mode; "": that of the preset (oculus).
   std::string address = "127.0.0.1";
   int port = 0;                       ///< 0: any free port.
+  double silence = 30;                ///< Longest time for which a client may send nothing [s] (oculus).
   bool serial = false;                ///< Whether to serve a pseudo terminal too (ping360).
   int threads = 0;                    ///< 0: one per processor.
   std::vector<std::string> settings;  ///< "key=value", in order.

@@ -30,6 +30,7 @@ void OculusClient::read() {
       self->end();
       return;
     }
+    self->last_heard_ = std::chrono::steady_clock::now();
     const std::uint64_t skipped = self->parser_.skipped();
     self->parser_.add(std::span(self->in_).first(size));
     while (const std::optional<OculusMessage> message = self->parser_.next()) {

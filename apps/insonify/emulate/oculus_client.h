@@ -4,6 +4,7 @@
 
 #include <array>
 #include <boost/asio/ip/tcp.hpp>
+#include <chrono>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -39,6 +40,12 @@ class OculusClient : public std::enable_shared_from_this<OculusClient> {
   /// Ends the connection, without calling Events::gone.
   void close();
 
+  /// Ends the connection, and calls Events::gone.
+  void end();
+
+  /// When it last sent something, or connected.
+  [[nodiscard]] std::chrono::steady_clock::time_point last_heard() const { return last_heard_; }
+
   [[nodiscard]] const boost::asio::ip::address_v4& address() const { return address_; }
 
   int layout = 1;  ///< Layout of the messages that this client sends and receives.
@@ -46,7 +53,6 @@ class OculusClient : public std::enable_shared_from_this<OculusClient> {
  private:
   void read();
   void write();
-  void end();
 
   Socket socket_;
   Events events_;
@@ -56,6 +62,7 @@ class OculusClient : public std::enable_shared_from_this<OculusClient> {
   std::deque<Bytes> out_;  // The first is being written.
   Bytes ping_;             // To be written after these.
   bool ended_ = false;
+  std::chrono::steady_clock::time_point last_heard_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace insonify

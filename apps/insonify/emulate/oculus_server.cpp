@@ -28,7 +28,8 @@ OculusClient::Bytes shared(std::vector<std::uint8_t> bytes) {
 }  // namespace
 
 OculusServer::OculusServer(const EmulateOptions& options, EmulatedSonar& sonar)
-    : pings_(sonar),
+    : silence_(options.silence),
+      pings_(sonar),
       network_(network_of(options)),
       acceptor_(loop_.context()),
       status_socket_(loop_.context(), Udp::v4()) {
@@ -245,7 +246,20 @@ void OculusServer::send_ping(const OculusPings::Received& received) {
   report_.note(received.transmitted, received.computing_time);
 }
 
+// Drivers send fire or dummy messages all the time. One that is gone without a word would keep its place.
+void OculusServer::end_silent_clients() {
+  const auto now = std::chrono::steady_clock::now();
+  for (const Client& client : std::vector<Client>(clients_)) {  // forget() changes the list.
+    if (now - client->last_heard() > silence_) {
+      warn_once(fmt::format("{} has sent nothing for {:.6g} s: disconnected", client->address().to_string(),
+                            silence_.count()));
+      client->end();
+    }
+  }
+}
+
 void OculusServer::beat() {
+  end_silent_clients();
   send_status();
   if (!asked_ || oculus_ping_rate(asked_->ping_rate) == 0) {
     const OculusClient::Bytes dummy =

@@ -53,11 +53,13 @@ class OculusServer {
   void pinged(const std::shared_ptr<const OculusPings::Received>& received, const std::string& failure);
   void send_ping(const OculusPings::Received& received);
   void beat();
+  void end_silent_clients();
   void send_status();
   void refuse(const OculusClient& client, const std::string& reason);
   void warn_once(const std::string& text);
   [[nodiscard]] OculusStatus status() const;
 
+  std::chrono::duration<double> silence_;
   TransportReport report_;
   EventLoop loop_{report_};
   OculusPings pings_;
