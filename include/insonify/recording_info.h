@@ -68,6 +68,17 @@ struct RecordingInfo {
 /// @throws Error with the path for anything else.
 [[nodiscard]] RecordingInfo recording_info(const std::filesystem::path& path);
 
+/// What verify_recording() has found.
+struct RecordingCheck {
+  std::uint64_t rows = 0;                   ///< Rows of tables, one a ping, and tables without pings that were read.
+  std::vector<std::string> unchecked = {};  ///< Tables without checksums: "intensity". Damage in them is not seen.
+  std::vector<std::string> damaged = {};    ///< "intensity of ping 3: data error detected by Fletcher32 checksum"
+};
+
+/// Reads all tables of a recording of HDF5 or MCAP, and so compares them with their checksums.
+/// @throws Error with the path for a file whose tables cannot be listed.
+[[nodiscard]] RecordingCheck verify_recording(const std::filesystem::path& path);
+
 /// A warning about a recording that may end before its run did: "fls.h5 is unfinished: the run that wrote it was
 /// killed; it has 12 pings"; "" for a whole recording.
 [[nodiscard]] std::string unfinished_text(const std::filesystem::path& path, const RecordingInfo& info);

@@ -110,6 +110,42 @@ RecordingInfo recording_info(const std::filesystem::path& path) {
   }
 }
 
+namespace {
+
+// Reads a row, and notes why it cannot be read.
+void verify_row(const RecordedTables& tables, const RecordedTable& table, std::uint64_t ping, const std::string& name,
+                RecordingCheck& check) {
+  try {
+    (void)tables.row(table, ping);
+    ++check.rows;
+  } catch (const Error& error) {
+    const std::string ping_text = table.by_ping ? fmt::format(" of ping {}", ping) : "", what = error.what(),
+                      doing = fmt::format("{}: cannot read {}: ", tables.path().string(), table.name);
+    check.damaged.push_back(
+        fmt::format("{}{}: {}", name, ping_text, what.starts_with(doing) ? what.substr(doing.size()) : what));
+  }
+}
+
+}  // namespace
+
+RecordingCheck verify_recording(const std::filesystem::path& path) {
+  RecordingCheck check;
+  const auto all = open_all_tables(path, "");
+  for (const auto& tables : all) {
+    for (const RecordedTable& table : tables->tables()) {
+      const std::string name =
+          printable(all.size() == 1 ? table.name : tables->text("sonar") + " " + table.name, kLongestName);
+      if (!table.checked && table.by_ping) {
+        check.unchecked.push_back(name);
+      }
+      for (std::uint64_t ping = 0; ping < (table.by_ping ? tables->ping_count() : 1); ++ping) {
+        verify_row(*tables, table, ping, name, check);
+      }
+    }
+  }
+  return check;
+}
+
 const char* state_word(RecordingState state) {
   switch (state) {
     case RecordingState::kGrowing:

@@ -317,6 +317,71 @@ TEST_F(RecordingsCliTest, ARunOnAFullDiskLeavesAFileThatSaysSo) {
   EXPECT_EQ(files(".").count("y.mcap"), 0);
 }
 
+TEST_F(RecordingsCliTest, VerifyReadsEveryPingAndSaysWhichIsDamaged) {
+  for (const char* compress : {"", "--compress"}) {
+    ASSERT_EQ(
+        shell(fmt::format("insonify run fan.yaml -o out -q --no-pictures -f --pings 3 --record h5,mcap {}", compress))
+            .status,
+        0);
+    for (const char* name : {"out/ahead.h5", "out/ahead.mcap"}) {
+      const Outcome whole = shell(fmt::format("insonify info {} --verify", name));
+      EXPECT_EQ(whole.status, 0) << whole.err;
+      EXPECT_THAT(whole.out, HasSubstr(" rows can be read, with the checksums that they were written with\n"));
+      EXPECT_EQ(json::parse(shell(fmt::format("insonify info {} --verify --json", name)).out)
+                    .at(0)
+                    .at("verified")
+                    .at("damaged")
+                    .size(),
+                0U);
+    }
+    // Each ping's chunk is where it was written: the last of the largest table.
+    std::string bytes = text_of("out/ahead.h5");
+    bool seen = false;
+    for (std::size_t at = bytes.size() / 2; at < bytes.size() && !seen; at += 997) {
+      std::string damaged = bytes;
+      damaged[at] = static_cast<char>(damaged[at] ^ 1);
+      folder.write("bad.h5", damaged);
+      const Outcome outcome = shell("insonify info bad.h5 --verify");
+      seen = outcome.err.find("bad.h5: damaged: ") != std::string::npos;
+      if (seen) {
+        EXPECT_EQ(outcome.status, 2);
+        EXPECT_THAT(outcome.err,
+                    testing::MatchesRegex("(insonify: bad.h5: damaged: [a-z_]+ of ping [0-2]: [^\n]+\n)+"));
+      }
+    }
+    EXPECT_TRUE(seen);
+  }
+  std::string bytes = text_of("out/ahead.mcap");
+  bytes[bytes.find("zstd") + 1000] ^= 1;
+  folder.write("bad.mcap", bytes);
+  const Outcome outcome = shell("insonify info bad.mcap --verify");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("bad.mcap: "));
+}
+
+TEST_F(RecordingsCliTest, ReadOnlyRecordingsStay) {
+  ASSERT_EQ(shell("insonify run fan.yaml -o out -q --no-pictures --record h5,mcap").status, 0);
+  for (const char* name : {"ahead.h5", "ahead.mcap"}) {
+    const std::filesystem::path path = std::filesystem::path("out") / name;
+    const std::string before = text_of(path);
+    std::filesystem::permissions(path, std::filesystem::perms::owner_read);
+    const Outcome run = shell("insonify run fan.yaml -o out -q --no-pictures --record h5,mcap --force --seed 5");
+    EXPECT_EQ(run.status, 1);
+    EXPECT_EQ(run.err, "insonify: " + path.string() + ": cannot create: it exists and is read-only\n");
+    EXPECT_EQ(text_of(path), before);
+    std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+  }
+}
+
+TEST_F(RecordingsCliTest, McapOfARunIsTheSameBytesEachTime) {
+  for (const char* folder_name : {"a", "b"}) {
+    ASSERT_EQ(
+        shell(fmt::format("insonify run fan.yaml -o {} -q --no-pictures --record mcap --pings 4", folder_name)).status,
+        0);
+  }
+  EXPECT_EQ(text_of("a/ahead.mcap"), text_of("b/ahead.mcap"));
+}
+
 TEST_F(RecordingsCliTest, CompressHasNoEffectOnMcapAlone) {
   const Outcome outcome = shell("insonify run fan.yaml -o out -q --no-pictures --record mcap --compress");
   EXPECT_EQ(outcome.status, 2);

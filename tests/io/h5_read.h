@@ -17,6 +17,8 @@ class H5Reader {
  public:
   explicit H5Reader(const std::filesystem::path& path) : path_(path), file_(h5_open_to_read(path)) {}
 
+  [[nodiscard]] hid_t id() const { return file_.get(); }
+
   [[nodiscard]] bool has(const std::string& name) const {
     return H5Lexists(file_.get(), name.c_str(), H5P_DEFAULT) > 0;
   }

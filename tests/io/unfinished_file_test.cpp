@@ -57,6 +57,15 @@ TEST(UnfinishedFileTest, ALinkInItsPlaceIsReplacedAndNotFollowed) {
   EXPECT_EQ(std::filesystem::file_size("target"), 8U);
 }
 
+TEST(UnfinishedFileTest, AReadOnlyFileStays) {
+  const WorkingFolder folder;
+  folder.write("a", "precious");
+  std::filesystem::permissions("a", std::filesystem::perms::owner_read);
+  EXPECT_EQ(message_of([] { const UnfinishedFile file("a", "cannot create"); }),
+            "a: cannot create: it exists and is read-only");
+  EXPECT_EQ(files_here(), 1U);
+}
+
 TEST(UnfinishedFileTest, SaysWhyThereCanBeNone) {
   const WorkingFolder folder;
   std::filesystem::create_directory("b");

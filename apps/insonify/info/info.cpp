@@ -18,7 +18,7 @@ namespace {
 
 struct InfoOptions {
   std::vector<std::filesystem::path> recordings;
-  bool json = false;
+  bool json = false, verify = false;
 };
 
 void print_sonar(const RecordedSonar& sonar) {
@@ -52,6 +52,24 @@ void print(const std::filesystem::path& path, const RecordingInfo& info) {
   }
   const std::string contents = fmt::format("{}", fmt::join(info.contents, ", "));
   say("  holds {}\n", contents);
+}
+
+// @return  Whether it is as it was written.
+bool print(const std::filesystem::path& path, const RecordingCheck& check) {
+  constexpr std::size_t kMostLines = 20;
+  for (std::size_t i = 0; i < check.damaged.size() && i < kMostLines; ++i) {
+    complain(fmt::format("{}: damaged: {}", path.string(), check.damaged[i]));
+  }
+  if (check.damaged.size() > kMostLines) {
+    complain(fmt::format("{}: damaged: {} rows more", path.string(), check.damaged.size() - kMostLines));
+  }
+  if (check.damaged.empty()) {
+    say("  verified: {} can be read, {}\n", counted(check.rows, "row"),
+        check.unchecked.empty() ? "with the checksums that they were written with"
+                                : fmt::format("but there are no checksums of {}: damage in them is not seen",
+                                              fmt::join(check.unchecked, ", ")));
+  }
+  return check.damaged.empty();
 }
 
 nlohmann::ordered_json json_of(const RecordedSonar& sonar) {
@@ -109,6 +127,16 @@ int info(const InfoOptions& options) {
       } else {
         print(path, found);
       }
+      if (!options.verify) {
+        continue;
+      }
+      const RecordingCheck check = verify_recording(path);
+      if (options.json) {
+        objects.back()["verified"] = {{"rows", check.rows}, {"unchecked", check.unchecked}, {"damaged", check.damaged}};
+        status = check.damaged.empty() ? status : kWrongInput;
+      } else {
+        status = print(path, check) ? status : kWrongInput;
+      }
     } catch (const Error& error) {
       complain(error.what());
       status = kWrongInput;
@@ -130,9 +158,12 @@ void add_info(const Command& program) {
                    fmt::format("Recordings ({}), also unfinished ones (.new), and files of instruments ({})",
                                readable_recordings(), foreign_recordings()));
   command.flag("--json", &options.json, "As JSON, a list with an object for each");
+  command.flag("--verify", &options.verify,
+               "Read every ping and compare it with its checksum; exit status 2 if one is damaged");
   command.footer(
       "Examples:\n"
       "  insonify info out/fls.h5 run.mcap\n"
+      "  insonify info out/*.h5 --verify\n"
       "  insonify info out/fls.h5.1f2e3d4c.new --json");
   command.act([&options] { return info(options); });
 }

@@ -2,6 +2,7 @@
 
 #include "pictures/output_folder.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -87,6 +88,19 @@ void remove_picture(const std::filesystem::path& picture) {
   }
 }
 
+// Writes a file, or the names in a folder, to disk. Some file systems keep names in another way.
+void sync(const std::filesystem::path& path) {
+  const int opened = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (opened < 0) {
+    return;
+  }
+  const bool failed = fsync(opened) != 0 && errno == EIO;
+  close(opened);
+  if (failed) {
+    throw Error(fmt::format("{}: cannot write: {}", path.string(), std::generic_category().message(EIO)));
+  }
+}
+
 }  // namespace
 
 std::filesystem::path output_folder(const std::filesystem::path& chosen, const std::filesystem::path& scenario) {
@@ -115,6 +129,7 @@ void make_output_folder(const std::filesystem::path& folder) {
   if (error) {
     refuse_folder(folder, error);
   }
+  sync(std::filesystem::absolute(folder / "..").lexically_normal());
 }
 
 std::vector<std::filesystem::path> unfinished_recordings(const std::filesystem::path& folder, const Scenario& scenario,
@@ -193,6 +208,9 @@ void PictureFolder::discard() {
 }
 
 std::size_t PictureFolder::put_in_place() {
+  for (const std::string& file : written_) {
+    sync((collected_.empty() ? folder_ : collected_) / file);
+  }
   std::size_t removed = 0;
   for (const std::filesystem::path& picture : pictures_in(folder_, sonars_)) {
     const bool is_new = std::ranges::find(written_, picture.filename().string()) != written_.end();
@@ -201,16 +219,14 @@ std::size_t PictureFolder::put_in_place() {
       ++removed;
     }
   }
-  if (collected_.empty()) {
-    return removed;
-  }
-  for (const std::string& file : written_) {
+  for (const std::string& file : collected_.empty() ? std::vector<std::string>() : written_) {
     std::error_code error;
     std::filesystem::rename(collected_ / file, folder_ / file, error);
     if (error) {
       throw Error(fmt::format("{}: cannot put this picture in place: {}", (folder_ / file).string(), error.message()));
     }
   }
+  sync(folder_);
   return removed;
 }
 

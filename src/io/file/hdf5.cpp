@@ -8,6 +8,8 @@
 #include <fstream>
 #include <string_view>
 
+#include "insonify/printable.h"
+
 namespace insonify {
 namespace {
 
@@ -39,6 +41,28 @@ std::string h5_failure() {
   std::string reason = system_reason(description);
   std::replace(reason.begin(), reason.end(), '\n', ' ');
   return reason;
+}
+
+H5Handle h5_open_object(hid_t where, const std::string& name, const std::filesystem::path& path) {
+  const std::string doing = "open " + printable(name);
+  for (std::size_t end = name.find('/', 1);; end = name.find('/', end + 1)) {
+    H5L_info_t link{};
+    if (H5Lget_info(where, name.substr(0, end).c_str(), &link, H5P_DEFAULT) >= 0 && link.type == H5L_TYPE_EXTERNAL) {
+      throw Error(fmt::format("{}: {} is a link to another file, which is not read", path.string(), printable(name)));
+    }
+    if (end == std::string::npos) {
+      break;
+    }
+  }
+  H5Handle object = h5_own(H5Oopen(where, name.c_str(), H5P_DEFAULT), H5Oclose, path, doing);
+  if (H5Iget_type(object.get()) == H5I_DATASET) {
+    const H5Handle made = h5_own(H5Dget_create_plist(object.get()), H5Pclose, path, doing);
+    if (H5Pget_external_count(made.get()) > 0 || H5Pget_layout(made.get()) == H5D_VIRTUAL) {
+      throw Error(
+          fmt::format("{}: {} has its values in other files, which are not read", path.string(), printable(name)));
+    }
+  }
+  return object;
 }
 
 H5Handle h5_open_to_read(const std::filesystem::path& path) {

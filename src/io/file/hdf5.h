@@ -86,6 +86,11 @@ Result h5_check(Result result, const std::filesystem::path& path, std::string_vi
   return {h5_check(id, path, doing), close};
 }
 
+/// Opens a dataset, a group or a type.
+/// @throws Error for one that is in another file or has its values there: by an external link, external storage or as a
+///         virtual dataset. A stranger's file could show any file of this machine so.
+[[nodiscard]] H5Handle h5_open_object(hid_t where, const std::string& name, const std::filesystem::path& path);
+
 /// Opens a file for reading, also a recording that is being written: HDF5 asks for the file's size and then reads, at
 /// its start, where it ends, so opening fails if the file grows between the two. It is then tried again.
 /// @throws Error "PATH: cannot open it as HDF5: REASON"

@@ -28,6 +28,7 @@ struct RecordedTable {
   bool by_ping = false;            ///< Whether it has a row for each ping.
   std::vector<std::string> axes;   ///< Names of all axes; may be empty.
   nlohmann::json notes;            ///< `units`, `description`, `none`.
+  bool checked = false;            ///< Whether it has checksums.
 
   [[nodiscard]] std::size_t row_bytes() const {
     return std::accumulate(row.begin(), row.end(), value_bytes, std::multiplies<>());
@@ -110,7 +111,7 @@ class RecordedTables {
   std::optional<std::uint64_t> state_;
 };
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RecordedTable, name, type, value_bytes, row, by_ping, axes, notes)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RecordedTable, name, type, value_bytes, row, by_ping, axes, notes, checked)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RecordedNames, name, texts)
 
 }  // namespace insonify

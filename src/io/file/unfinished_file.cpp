@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -21,6 +22,13 @@ UnfinishedFile::UnfinishedFile(std::filesystem::path path, std::string doing)
   std::error_code ignored;
   if (std::filesystem::exists(path_, ignored) && !std::filesystem::is_regular_file(path_, ignored)) {
     fail("it exists and is not a regular file");
+  }
+  // The owner of a folder, and root, could replace it all the same.
+  constexpr mode_t kWritable = S_IWUSR | S_IWGRP | S_IWOTH;
+  struct stat earlier {};
+  if (lstat(path_.c_str(), &earlier) == 0 && S_ISREG(earlier.st_mode) &&
+      ((earlier.st_mode & kWritable) == 0 || access(path_.c_str(), W_OK) != 0)) {
+    fail("it exists and is read-only");
   }
   constexpr int kMostTries = 100;
   std::random_device random;
@@ -54,6 +62,14 @@ void UnfinishedFile::put_in_place() {
     fail(error.message());
   }
   unfinished_.clear();
+}
+
+void UnfinishedFile::sync_folder() const {
+  const std::filesystem::path folder = std::filesystem::absolute(path_).parent_path();
+  if (const int opened = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); opened >= 0) {
+    fsync(opened);  // File systems that cannot do this keep the names in another way.
+    ::close(opened);
+  }
 }
 
 int UnfinishedFile::release() {

@@ -13,7 +13,7 @@ namespace insonify {
 
 /// A new file beside `path`, named PATH.XXXXXXXX.new with eight random hexadecimal digits, that replaces `path` when it
 /// is complete. The file is always newly created: symbolic links are not followed, no existing file is written to, and
-/// two programs that write to the same path do not interfere.
+/// two programs that write to the same path do not interfere. What the user has made read-only is not replaced.
 class UnfinishedFile {
  public:
   /// @param doing  For messages: "cannot create".
@@ -30,6 +30,9 @@ class UnfinishedFile {
   /// Renames it to `path`, replacing an existing file or link (not its target).
   /// @throws Error "PATH: DOING: REASON".
   void put_in_place();
+
+  /// Writes the names in its folder to disk, so that the file is there after a crash of the machine.
+  void sync_folder() const;
 
   /// Its temporary path; empty after renaming.
   [[nodiscard]] const std::filesystem::path& unfinished() const { return unfinished_; }

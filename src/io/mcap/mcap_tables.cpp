@@ -115,7 +115,8 @@ void McapTables::add_tables() {
                        std::move(row),
                        by_ping,
                        std::move(axes),
-                       {{"units", units}, {"description", description}}});
+                       {{"units", units}, {"description", description}},
+                       true});
   };
   add("azimuth", "<f8", {beams}, {}, "rad", "Centre of each beam, positive to port.");
   const BearingGrid bearings = config.bearings();

@@ -15,7 +15,7 @@
 namespace insonify {
 namespace {
 
-constexpr std::size_t kLargeChunk = std::size_t{4} << 20;  // [bytes]
+constexpr std::size_t kLargeChunk = std::size_t{1} << 16;  // [bytes]
 
 }  // namespace
 
@@ -44,15 +44,12 @@ McapWriter::McapWriter(std::filesystem::path path, const std::string& library, b
   if (!earlier_ && !only_whole_) {
     refuse_while_another_writes();
     out_->put_in_place();
+    out_->sync_folder();
     absolute_ = std::filesystem::absolute(path_);
-  }
-  if (!only_whole_) {  // Nobody reads it before it is whole: its chunks, and so its bytes, do not depend on the time.
-    thread_ = std::thread([this] { write_chunks_in_time(); });
   }
 }
 
 McapWriter::~McapWriter() {
-  stop_thread();
   if (out_ && !only_whole_) {
     try {
       finish();
@@ -68,35 +65,6 @@ void McapWriter::fail(const std::string& what) const {
   throw Error(fmt::format("{}: {}", path_.string(), what));
 }
 
-void McapWriter::stop_thread() {
-  {
-    const std::lock_guard lock(mutex_);
-    stopping_ = true;
-  }
-  changed_.notify_all();
-  if (thread_.joinable()) {
-    thread_.join();
-  }
-}
-
-// Body of the thread: writes each chunk that has waited long enough.
-void McapWriter::write_chunks_in_time() {
-  std::unique_lock lock(mutex_);
-  while (!stopping_) {
-    if (chunk_index_.empty()) {
-      changed_.wait(lock);
-    } else if (changed_.wait_until(lock, chunk_begun_ + kLongestChunk) == std::cv_status::timeout && !stopping_ &&
-               !chunk_index_.empty() && Clock::now() >= chunk_begun_ + kLongestChunk) {
-      try {
-        write_chunk();
-      } catch (...) {
-        failure_ = std::current_exception();  // Rethrown by the next call.
-        return;
-      }
-    }
-  }
-}
-
 void McapWriter::check_open() const {
   if (failure_) {
     std::rethrow_exception(failure_);
@@ -107,14 +75,12 @@ void McapWriter::check_open() const {
 }
 
 void McapWriter::add_metadata(const std::string& name, const std::map<std::string, std::string>& texts) {
-  const std::lock_guard lock(mutex_);
   check_open();
   put_metadata(name, texts);
 }
 
 std::uint16_t McapWriter::add_channel(const std::string& topic, const std::string& type,
                                       const std::string& definition) {
-  const std::lock_guard lock(mutex_);
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     if (channels_[i].topic == topic) {
       if (schemas_[channels_[i].schema - 1U].name != type) {
@@ -148,7 +114,6 @@ void McapWriter::put_channel(McapBytes& into, std::size_t index) const {
 
 // A chunk begins with the schemas and channels that are new since the last chunk.
 void McapWriter::begin_chunk() {
-  chunk_begun_ = chunk_index_.empty() ? Clock::now() : chunk_begun_;
   for (; written_schemas_ < schemas_.size(); ++written_schemas_) {
     put_schema(chunk_, written_schemas_);
   }
@@ -167,20 +132,18 @@ void McapWriter::put_message(std::uint64_t time_ns, const Message& message) {
 }
 
 void McapWriter::add(std::uint64_t time_ns, std::span<const Message> messages) {
-  const std::lock_guard lock(mutex_);
   check_open();
   const bool begins = chunk_index_.empty();
   if (begins || written_channels_ < channels_.size()) {
     begin_chunk();
   }
+  chunk_begun_ns_ = begins ? time_ns : chunk_begun_ns_;
   for (const Message& message : messages) {
     put_message(time_ns, message);
   }
   ping_ends_.push_back(chunk_.size());
-  if (chunk_.size() >= kLargeChunk) {
+  if (chunk_.size() >= kLargeChunk || time_ns >= chunk_begun_ns_ + kLongestChunkNs) {
     write_chunk();
-  } else if (begins) {
-    changed_.notify_all();
   }
 }
 
@@ -199,11 +162,11 @@ void McapWriter::close() {
   if (!out_) {
     return;
   }
-  stop_thread();
   finish();
   if (is_beside()) {
     out_->put_in_place();
   }
+  out_->sync_folder();
   out_.reset();
   earlier_.reset();
 }

@@ -2,16 +2,12 @@
 
 #pragma once
 
-#include <chrono>
-#include <condition_variable>
 #include <cstdint>
 #include <exception>
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "io/file/file_lock.h"
@@ -21,8 +17,8 @@
 namespace insonify {
 
 /// A file of profile "ros2" whose messages are CDR with schemas "ros2msg". Messages collect in a chunk, which is
-/// compressed and written when it is large, at the latest kLongestChunk after its first message, by a thread of its
-/// own: a killed process loses no more than that.
+/// compressed and written when it has 64 KiB, as a ping of most sonars has, or messages of half a second of their own
+/// times: a killed process loses no more than that. So the same messages give the same bytes, however long they take.
 ///
 /// The file is made as an UnfinishedFile beside `path`, and renamed at once if there is no file at `path`. An existing
 /// file stays until close(); without close() the new one stays beside it if it has messages.
@@ -31,10 +27,9 @@ namespace insonify {
 /// metadata with the reason for its end (mcap_metadata::kEnd).
 class McapWriter {
  public:
-  static constexpr std::chrono::milliseconds kLongestChunk{500};
+  static constexpr std::uint64_t kLongestChunkNs = 500'000'000;
 
-  /// @param only_whole  Always stay beside `path` until close(), and be removed without it; chunks end only by their
-  /// size, so that the same messages give the same bytes.
+  /// @param only_whole  Always stay beside `path` until close(), and be removed without it.
   /// @throws Error with the path if the file cannot be made, or exists and may not be replaced.
   McapWriter(std::filesystem::path path, const std::string& library, bool replace, bool only_whole = false);
   /// Finishes the file without reporting errors and without replacing an existing one.
@@ -66,7 +61,6 @@ class McapWriter {
   [[nodiscard]] const std::filesystem::path& place() const { return is_beside() ? out_->unfinished() : path_; }
 
  private:
-  using Clock = std::chrono::steady_clock;
   struct Channel {
     std::uint16_t schema = 0;
     std::string topic;
@@ -105,8 +99,6 @@ class McapWriter {
   void write_summary();
   void write(std::span<const std::byte> bytes);
   void finish();
-  void write_chunks_in_time();
-  void stop_thread();
   [[noreturn]] void fail(const std::string& what) const;
 
   std::filesystem::path path_, absolute_;
@@ -122,13 +114,8 @@ class McapWriter {
   McapBytes chunk_;
   std::map<std::uint16_t, std::vector<IndexEntry>> chunk_index_;
   std::vector<std::size_t> ping_ends_;  // Where in the chunk what belongs together ends.
-  Clock::time_point chunk_begun_;
-
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  bool stopping_ = false;
-  std::exception_ptr failure_;  // That ended writing.
-  std::thread thread_;
+  std::uint64_t chunk_begun_ns_ = 0;    // Time of its first message.
+  std::exception_ptr failure_;          // That ended writing.
 };
 
 }  // namespace insonify

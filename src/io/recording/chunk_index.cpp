@@ -117,6 +117,20 @@ void ChunkIndex::add(const Chunk& chunk, std::uint64_t& end, FilePieces& pieces)
   }
 }
 
+void ChunkIndex::change_last(std::uint32_t bytes, std::uint32_t skipped_filters, std::uint64_t& end,
+                             FilePieces& pieces) {
+  Key& chunk = nodes_.front().entries[nodes_.front().count - 1].key;
+  chunk = {chunk.row, bytes, skipped_filters};
+  const Key last{.row = chunk.row + shape_[0], .end = true};
+  for (std::size_t level = 0; level < nodes_.size(); ++level) {
+    root_ = write(level, last, end, pieces);
+    if (level + 1 < nodes_.size()) {
+      Node& above = nodes_[level + 1];
+      above.entries[above.count - 1] = {nodes_[level].entries.front().key, root_};
+    }
+  }
+}
+
 void ChunkIndex::close(FilePieces& pieces) const {
   for (const Node& node : nodes_) {
     if (node.left != kNowhere) {

@@ -69,6 +69,10 @@ class ChunkIndex {
   /// @param pieces  Receives the pieces to write before root() takes effect.
   void add(const Chunk& chunk, std::uint64_t& end, FilePieces& pieces);
 
+  /// Changes size and filters of the last chunk.
+  /// @param end, pieces  As for add().
+  void change_last(std::uint32_t bytes, std::uint32_t skipped_filters, std::uint64_t& end, FilePieces& pieces);
+
   /// Completes the links between nodes; nothing may be added afterwards.
   void close(FilePieces& pieces) const;
 

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "io/file/unfinished_file.h"
+#include "io/recording/fletcher.h"
 #include "io/recording/growing_image.h"
 
 namespace insonify {
@@ -40,6 +41,10 @@ void refuse_while_another_writes(const std::filesystem::path& path) {
   if (is_being_written(path)) {
     fail(path, "cannot create: another run is writing it; choose another folder");
   }
+}
+
+std::span<const std::byte> bytes_of(const std::uint32_t& number) {
+  return std::as_bytes(std::span(&number, 1));
 }
 
 std::uint64_t aligned(std::uint64_t position) {
@@ -79,6 +84,7 @@ GrowingFile::GrowingFile(std::filesystem::path path, const std::vector<GrowingDa
   if (!earlier_) {
     refuse_while_another_writes(path_);
     out_->put_in_place();
+    out_->sync_folder();
   }
   absolute_ = std::filesystem::absolute(place());
 }
@@ -178,7 +184,7 @@ bool GrowingFile::reserve(std::uint64_t end) {
   constexpr std::uint64_t kNodes = 4;  // New places of an index with one row more: two on each level that is split.
   std::uint64_t row = 0;
   for (const Growth& growth : growths_) {
-    row += growth.chunk_rows * growth.row_bytes + kDataAlignment + kNodes * growth.index.node_bytes();
+    row += growth.chunk_rows * growth.row_bytes + kChecksumBytes + kDataAlignment + kNodes * growth.index.node_bytes();
   }
   return end + row <= reserved_ || set_end(end + kRowsAhead * row) || end <= reserved_ || set_end(end);
 }
@@ -186,21 +192,75 @@ bool GrowingFile::reserve(std::uint64_t end) {
 // Writes a row of one dataset to where nobody looks yet, into the last chunk or into a new one at the end of the file,
 // and works out the index with it.
 bool GrowingFile::add_row(Growth& growth, std::uint64_t& end) {
-  const std::uint64_t row_in_chunk = count_ % growth.chunk_rows;
   growth.next_chunk = growth.chunk;
   growth.next_index = growth.index;
+  if (growth.chunk_rows > 1) {
+    return add_to_rows(growth, end);
+  }
+  const std::uint64_t bytes = growth.stored.size() + kChecksumBytes;
+  growth.next_chunk = aligned(end);
+  end = growth.next_chunk + bytes;
+  const bool smaller = growth.filter && growth.stored.size() < growth.row_bytes;
+  growth.next_index.add({.first_row = count_,
+                         .address = growth.next_chunk,
+                         .bytes = static_cast<std::uint32_t>(bytes),
+                         .skipped_filters = growth.filter && !smaller ? ChunkFilter::kBoth : 0},
+                        end, pieces_);
+  return write_at(out_->descriptor(), growth.next_chunk, growth.stored) &&
+         write_at(out_->descriptor(), growth.next_chunk + growth.stored.size(), bytes_of(growth.checksum));
+}
+
+// The same for one of several rows of a chunk.
+bool GrowingFile::add_to_rows(Growth& growth, std::uint64_t& end) {
+  const std::uint64_t row_in_chunk = count_ % growth.chunk_rows;
   if (row_in_chunk == 0) {
-    const bool smaller = growth.filter && growth.stored.size() < growth.row_bytes;
-    const std::uint64_t bytes = smaller ? growth.stored.size() : growth.chunk_rows * growth.row_bytes;
+    const std::uint64_t bytes = growth.chunk_rows * growth.row_bytes;
     growth.next_chunk = aligned(end);
-    end = growth.next_chunk + bytes;
+    end = growth.next_chunk + bytes + kChecksumBytes;
     growth.next_index.add({.first_row = count_,
                            .address = growth.next_chunk,
                            .bytes = static_cast<std::uint32_t>(bytes),
-                           .skipped_filters = growth.filter && !smaller ? ChunkFilter::kBoth : 0},
+                           .skipped_filters = growth.all_filters()},
                           end, pieces_);
   }
-  return write_at(out_->descriptor(), growth.next_chunk + row_in_chunk * growth.row_bytes, growth.stored);
+  growth.rows.resize(row_in_chunk * growth.row_bytes);
+  growth.rows.insert(growth.rows.end(), growth.stored.begin(), growth.stored.end());
+  return write_at(out_->descriptor(), growth.next_chunk + row_in_chunk * growth.row_bytes, growth.stored) &&
+         (row_in_chunk + 1 < growth.chunk_rows || seal(growth, end));
+}
+
+// Gives the last chunk, of several rows, its checksum, with zeros for rows that it does not have.
+bool GrowingFile::seal(Growth& growth, std::uint64_t& end) {
+  const std::uint64_t written = growth.rows.size(), bytes = growth.chunk_rows * growth.row_bytes;
+  std::vector<std::byte> chunk = growth.rows;
+  chunk.resize(bytes);
+  const std::uint32_t checksum = fletcher32(chunk);
+  const auto sum = bytes_of(checksum);
+  chunk.insert(chunk.end(), sum.begin(), sum.end());
+  growth.next_index.change_last(static_cast<std::uint32_t>(chunk.size()), 0, end, pieces_);
+  return write_at(out_->descriptor(), growth.next_chunk + written, std::span(chunk).subspan(written));
+}
+
+// Where the disk has no room for that, they stay without checksums.
+void GrowingFile::seal_last_chunks() {
+  std::uint64_t end = end_;
+  pieces_.clear();
+  const bool sealed = std::ranges::all_of(growths_, [&](Growth& growth) {
+    growth.next_chunk = growth.chunk;
+    growth.next_index = growth.index;
+    growth.rows.resize(count_ % growth.chunk_rows * growth.row_bytes);  // Without one that could not be written.
+    return growth.rows.empty() || seal(growth, end);
+  });
+  if (!sealed || !write_pieces() || (end > reserved_ && !set_end(end))) {
+    return;
+  }
+  set_fields(count_);
+  if (write_at(out_->descriptor(), fields_begin_, fields_bytes_)) {
+    for (Growth& growth : growths_) {
+      std::swap(growth.index, growth.next_index);
+    }
+    end_ = end;
+  }
 }
 
 // All of a row, but not yet as part of any dataset.
@@ -213,6 +273,7 @@ bool GrowingFile::write_row(std::span<const std::span<const std::byte>> rows, st
       const std::span<const std::byte> compressed = growth.filter->compress(growth.stored);
       growth.stored = compressed.empty() ? growth.stored : compressed;
     }
+    growth.checksum = growth.chunk_rows == 1 ? fletcher32(growth.stored) : 0;
   };
   if (workers_) {
     workers_->for_each(static_cast<int>(rows.size()), prepare);
@@ -261,9 +322,10 @@ void GrowingFile::append(std::span<const std::span<const std::byte>> rows) {
   state_ = GrowingState::kWhole;  // The disk may have room again.
 }
 
-// Completes the indices, trims the file, writes its state and flushes it to disk.
+// Completes the last chunks and the indices, trims the file, writes its state and flushes it to disk.
 // @return  Whether it succeeded; else errno is the reason.
 bool GrowingFile::finish() {
+  seal_last_chunks();
   pieces_.clear();
   for (const Growth& growth : growths_) {
     growth.index.close(pieces_);
@@ -284,6 +346,7 @@ void GrowingFile::close() {
   if (is_beside()) {
     out_->put_in_place();
   }
+  out_->sync_folder();
   out_.reset();
   earlier_.reset();
 }

@@ -33,6 +33,8 @@ struct GrowingFileOptions {
 /// dataset at once. So a process killed at any moment leaves a readable file with every row whose append() had
 /// returned, and no partial rows (docs/design/recording.md).
 ///
+/// Chunks have checksums: those of one row with it, those of several small rows once they are full, or at close().
+///
 /// The file is as large as its rows; while it grows it ends a few rows later, in a hole.
 ///
 /// It is made as an UnfinishedFile beside `path`, and renamed as soon as it is ready for its first row if there is no
@@ -76,6 +78,11 @@ class GrowingFile {
     ChunkIndex index, next_index;             // Likewise.
     std::optional<ChunkFilter> filter = {};
     std::span<const std::byte> stored = {};  // The row that is being added, perhaps compressed.
+    std::uint32_t checksum = 0;              // Of a chunk of one row.
+    std::vector<std::byte> rows = {};        // Those of the last chunk, where it has several.
+
+    // Of all filters: what a chunk of several rows skips until it is full.
+    [[nodiscard]] std::uint32_t all_filters() const { return filter ? 2 * ChunkFilter::kBoth + 1 : 1; }
   };
 
   void find_fields(std::span<const std::byte> image, std::span<const std::uint64_t> headers);
@@ -83,6 +90,9 @@ class GrowingFile {
   [[nodiscard]] bool is_beside() const { return out_ && !out_->unfinished().empty(); }
   void check_is_there() const;
   [[nodiscard]] bool add_row(Growth& growth, std::uint64_t& end);
+  [[nodiscard]] bool add_to_rows(Growth& growth, std::uint64_t& end);
+  [[nodiscard]] bool seal(Growth& growth, std::uint64_t& end);
+  void seal_last_chunks();
   [[nodiscard]] bool write_row(std::span<const std::span<const std::byte>> rows, std::uint64_t& end);
   [[nodiscard]] bool set_end(std::uint64_t end);
   [[nodiscard]] bool reserve(std::uint64_t end);

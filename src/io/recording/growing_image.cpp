@@ -30,6 +30,7 @@ H5Handle growing_layout(const GrowingDataset& dataset, const std::filesystem::pa
     h5_check(H5Pset_shuffle(layout.get()), path, "create");
     h5_check(H5Pset_deflate(layout.get(), ChunkFilter::kLevel), path, "create");
   }
+  h5_check(H5Pset_fletcher32(layout.get()), path, "create");
   return layout;
 }
 

@@ -52,6 +52,12 @@ hid_t memory_type(NumberType type) {
   return H5T_NATIVE_DOUBLE;
 }
 
+bool has_checksums(hid_t dataset) {
+  const H5Handle made(H5Dget_create_plist(dataset), H5Pclose);
+  unsigned flags = 0;
+  return H5Pget_filter_by_id2(made.get(), H5Z_FILTER_FLETCHER32, &flags, nullptr, nullptr, 0, nullptr, nullptr) >= 0;
+}
+
 // Callbacks of iterations only collect names: no exception may pass through HDF5.
 herr_t add_name(hid_t, const char* name, const H5L_info_t*, void* names) {
   static_cast<std::vector<std::string>*>(names)->emplace_back(name);
@@ -98,13 +104,11 @@ void Hdf5Tables::add_table(const std::string& name) {
   if (name == "." || name == "..") {
     throw Error(fmt::format("{}: is not a recording: it has a dataset called {}", path_.string(), name));
   }
-  const H5Handle object =
-      h5_own(H5Oopen(file_.get(), name.c_str(), H5P_DEFAULT), H5Oclose, path_, "open " + printable(name));
-  if (H5Iget_type(object.get()) != H5I_DATASET) {
+  const H5Handle dataset = h5_open_object(file_.get(), name, path_);
+  if (H5Iget_type(dataset.get()) != H5I_DATASET) {
     return;
   }
   const std::string doing = "read " + name;
-  const H5Handle dataset = h5_own(H5Dopen2(file_.get(), name.c_str(), H5P_DEFAULT), H5Dclose, path_, doing);
   const H5Handle stored = h5_own(H5Dget_type(dataset.get()), H5Tclose, path_, doing);
   const H5Handle space = h5_own(H5Dget_space(dataset.get()), H5Sclose, path_, doing);
   std::vector<hsize_t> shape = hdf5_shape(space.get());
@@ -130,6 +134,7 @@ void Hdf5Tables::add_table(const std::string& name) {
     }
   }
   read_axes(dataset.get(), table);
+  table.checked = has_checksums(dataset.get());
   table.by_ping = !shape.empty() &&
                   (name == "intensity" || name == "counts" || (!table.axes.empty() && table.axes.front() == "ping"));
   if (table.by_ping) {
@@ -152,12 +157,11 @@ nlohmann::json Hdf5Tables::settings() const {
   if (h5_check(H5Lexists(file_.get(), "settings", H5P_DEFAULT), path_, "find settings") == 0) {
     return found;
   }
-  const H5Handle group = h5_own(H5Gopen2(file_.get(), "settings", H5P_DEFAULT), H5Gclose, path_, "read settings");
+  const H5Handle group = h5_open_object(file_.get(), "settings", path_);
   std::vector<std::string> names;
   h5_check(H5Lvisit(group.get(), H5_INDEX_NAME, H5_ITER_INC, add_name, &names), path_, "list settings");
   for (const std::string& name : names) {
-    const H5Handle object =
-        h5_own(H5Oopen(group.get(), name.c_str(), H5P_DEFAULT), H5Oclose, path_, "open " + printable(name));
+    const H5Handle object = h5_open_object(group.get(), name, path_);
     if (H5Iget_type(object.get()) == H5I_DATASET) {
       found[nlohmann::json::json_pointer("/" + name)] = hdf5_dataset_json(object.get(), path_, "settings/" + name);
     }
@@ -167,7 +171,7 @@ nlohmann::json Hdf5Tables::settings() const {
 
 std::vector<std::byte> Hdf5Tables::row(const RecordedTable& table, std::uint64_t ping) const {
   const std::string doing = "read " + table.name;
-  const H5Handle dataset = h5_own(H5Dopen2(file_.get(), table.name.c_str(), H5P_DEFAULT), H5Dclose, path_, doing);
+  const H5Handle dataset = h5_open_object(file_.get(), table.name, path_);
   const H5Handle stored = h5_own(H5Dget_type(dataset.get()), H5Tclose, path_, doing);
   const H5Handle native = native_type(stored, path_, table.name);
   const H5Handle from = h5_own(H5Dget_space(dataset.get()), H5Sclose, path_, doing);
@@ -196,7 +200,7 @@ void Hdf5Tables::read(const RecordedTable& table, NumberType type, std::span<con
     count.push_back(slice.count);
     step.push_back(slice.step);
   }
-  const H5Handle dataset = h5_own(H5Dopen2(file_.get(), table.name.c_str(), H5P_DEFAULT), H5Dclose, path_, doing);
+  const H5Handle dataset = h5_open_object(file_.get(), table.name, path_);
   const H5Handle from = h5_own(H5Dget_space(dataset.get()), H5Sclose, path_, doing);
   h5_check(H5Sselect_hyperslab(from.get(), H5S_SELECT_SET, start.data(), step.data(), count.data(), nullptr), path_,
            doing);

@@ -43,10 +43,22 @@ void H5Writer::put_values(const std::string& name, hid_t stored, hid_t given, hi
   // Without times the same recording is the same bytes.
   const H5Handle creation = own(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, name);
   h5_check(H5Pset_obj_track_times(creation.get(), false), path_, "write " + name);
+  add_checksum(creation.get(), stored, space, name);
   const H5Handle dataset =
       own(H5Dcreate2(file_, name.c_str(), stored, space, links.get(), creation.get(), H5P_DEFAULT), H5Dclose, name);
   h5_check(H5Dwrite(dataset.get(), given, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), path_, "write " + name);
   annotate(name, note);
+}
+
+// For tables: in small ones the index of a chunk would take more than the values.
+void H5Writer::add_checksum(hid_t creation, hid_t stored, hid_t space, const std::string& name) const {
+  constexpr hssize_t kLeast = 64;  // Values.
+  std::array<hsize_t, 2> shape{};
+  if (H5Tget_class(stored) != H5T_STRING && H5Sget_simple_extent_npoints(space) >= kLeast) {
+    const int rank = H5Sget_simple_extent_dims(space, shape.data(), nullptr);
+    h5_check(H5Pset_chunk(creation, rank, shape.data()), path_, "write " + name);
+    h5_check(H5Pset_fletcher32(creation), path_, "write " + name);
+  }
 }
 
 void H5Writer::put(const std::string& name, double value, const H5Note& note) const {

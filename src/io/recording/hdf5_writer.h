@@ -43,6 +43,7 @@ class H5Writer {
   void annotate(const std::string& object, const H5Note& note) const;
 
  private:
+  void add_checksum(hid_t creation, hid_t stored, hid_t space, const std::string& name) const;
   void put_values(const std::string& name, hid_t stored, hid_t given, hid_t space, const void* values,
                   const H5Note& note) const;
   void put_attribute(const std::string& object, const std::string& name, hid_t type, const void* value) const;

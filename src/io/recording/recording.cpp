@@ -12,6 +12,7 @@
 #include "insonify/printable.h"
 #include "insonify/version.h"
 #include "insonify/words.h"
+#include "io/recording/fletcher.h"
 #include "io/recording/growing_file.h"
 #include "io/recording/hdf5_writer.h"
 #include "io/recording/ping_layers.h"
@@ -194,7 +195,7 @@ std::uint64_t recording_bytes(const Scenario& scenario, const SonarConfig& sonar
   constexpr std::uint64_t kIndex = 192;      // An entry in two versions of a node, and what aligns a chunk.
   std::uint64_t ping = 0;
   for (const GrowingDataset& dataset : growing_datasets(sonar, ping_layers(scenario, sonar), false)) {
-    ping += dataset.row_bytes() + kIndex / dataset.chunk_rows();
+    ping += dataset.row_bytes() + (kIndex + kChecksumBytes) / dataset.chunk_rows();
   }
   return kFixed + scenario.text.size() + pings * ping;
 }

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <random>
 
 #include "io/growing_rows.h"
+#include "io/recording/fletcher.h"
 #include "support/message_of.h"
 
 namespace insonify::growing_file_test {
@@ -60,7 +62,7 @@ TEST(GrowingFileTest, HoldsNoiseUncompressed) {
   }
   const H5Reader file(path);
   EXPECT_EQ(file.row<std::uint32_t>("words", 0), noise);
-  EXPECT_EQ(file.storage("words"), 4000U);
+  EXPECT_EQ(file.storage("words"), 4004U);
 }
 
 TEST(GrowingFileTest, CanBeExtendedByHdf5Afterwards) {
@@ -95,6 +97,62 @@ TEST(GrowingFileTest, CanBeCopiedByHdf5) {
       }
     }
     EXPECT_EQ(whole_rows(copy, kind), 200U);
+  }
+}
+
+// HDF5 compares them as it reads. Rows of time share chunks, of which the last, with 3 rows, has its own when the file
+// is closed.
+TEST(GrowingFileTest, EveryChunkHasAChecksum) {
+  constexpr std::uint64_t kTimes = 512, kRows = kTimes + 3;
+  for (const Kind kind : kKinds) {
+    const auto path = place_for("checksums");
+    record(path, kRows, kind);
+    std::ifstream in(path, std::ios::binary);
+    const std::string bytes(std::istreambuf_iterator<char>(in), {});
+    for (const char* name : {"words", "labels", "time"}) {
+      haddr_t address = 0;
+      {
+        const H5Reader file(path);
+        const H5Handle data(H5Dopen2(file.id(), name, H5P_DEFAULT), H5Dclose);
+        const H5Handle space(H5Dget_space(data.get()), H5Sclose);
+        hsize_t chunks = 0, size = 0;
+        H5Dget_num_chunks(data.get(), space.get(), &chunks);
+        EXPECT_EQ(chunks, name == std::string("time") ? 2U : kRows);
+        for (hsize_t i = 0; i < chunks; ++i) {
+          unsigned skipped = 1;
+          std::array<hsize_t, 3> start{};
+          H5Dget_chunk_info(data.get(), space.get(), i, start.data(), &skipped, &address, &size);
+          EXPECT_EQ(skipped, 0U) << name << i;
+        }
+      }
+      std::string damaged = bytes;
+      damaged[address + 1] = static_cast<char>(damaged[address + 1] ^ 4);
+      std::ofstream(path, std::ios::binary) << damaged;
+      const H5Reader file(path);
+      const H5Quiet quiet;
+      EXPECT_NE(message_of([&] { (void)file.row<double>(name, kRows - 1); }), "no error") << name;
+      EXPECT_EQ(message_of([&] { (void)file.row<double>(name, 0); }), "no error") << name;
+    }
+  }
+}
+
+TEST(FletcherTest, IsThatOfHdf5) {
+  std::mt19937 random(5);
+  std::vector<std::byte> bytes;
+  for (const std::size_t length : {1, 2, 3, 31, 32, 33, 719, 720, 721, 11520, 11521, 100'003}) {
+    for (const int kind : {0, 1, 2}) {  // Zeros, ones, anything.
+      bytes.resize(length);
+      std::ranges::generate(bytes, [&] { return std::byte(kind == 0 ? 0 : kind == 1 ? 255 : random() & 255U); });
+      // By the definition, with numbers that cannot overflow here.
+      std::uint64_t first = 0, second = 0;
+      for (std::size_t i = 0; i < length; i += 2) {
+        first += std::to_integer<std::uint64_t>(bytes[i]) << 8U;
+        first += i + 1 < length ? std::to_integer<std::uint64_t>(bytes[i + 1]) : 0;
+        second += first;
+      }
+      const auto folded = [](std::uint64_t sum) { return sum == 0 ? 0 : (sum - 1) % 65535 + 1; };
+      EXPECT_EQ(fletcher32(bytes), folded(second) << 16U | folded(first)) << length << " " << kind;
+    }
   }
 }
 
