@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <optional>
 #include <set>
 
 #include "base/log_line.h"
@@ -10,8 +11,11 @@
 #include "insonify/error.h"
 #include "insonify/files.h"
 #include "insonify/printable.h"
+#include "io/file/budgets.h"
 #include "io/file/input_file.h"
 #include "io/file/reader_process.h"
+#include "io/file/scene_folders.h"
+#include "io/grid/height_grid_file.h"
 #include "io/mesh/mesh_file.h"
 #include "io/mesh/relief_file.h"
 #include "io/odd_world.h"
@@ -68,12 +72,13 @@ WorldOptions world_options(const Scenario& scenario) {
           scenario.keep_water, scenario.arguments, scenario.parts};
 }
 
-Scene load_scene(const std::filesystem::path& path, const WorldOptions& options, const Log& log) {
+namespace {
+
+Scene load_any(const std::filesystem::path& path, const WorldOptions& options, const Log& log) {
   static const std::set<std::string> kSdf = {".sdf", ".world", ".xml"};
   static const std::set<std::string> kHeights = {".asc", ".bag", ".png", ".tif", ".tiff"};
   static const std::set<std::string> kMeshesToConvert = {".osgb", ".osg", ".osgt", ".ive"};
   const std::string ending = ending_of(path);
-  const SharedReader reader;
   if (kSdf.contains(ending)) {
     return sdf_reader(path).load_scene(path, options, log);
   }
@@ -81,7 +86,7 @@ Scene load_scene(const std::filesystem::path& path, const WorldOptions& options,
     return load_stonefish_scene(path, options, log);
   }
   if (kHeights.contains(ending)) {
-    return scene_of(path, make_height_field(load_height_grid(path, log)));
+    return scene_of(path, height_field_of(load_height_grid(path, log)));
   }
   if (is_mesh_file(path) || kMeshesToConvert.contains(ending)) {
     warn_of_up_axis(path, log);
@@ -94,6 +99,17 @@ Scene load_scene(const std::filesystem::path& path, const WorldOptions& options,
       fmt::format("{}: is not a world: SDF ends in .sdf, .world or .xml, a Stonefish scenario in .scn, a mesh in {}, "
                   "heights in .asc, .bag or .png",
                   path.string(), mesh_file_endings()));
+}
+
+}  // namespace
+
+Scene load_scene(const std::filesystem::path& path, const WorldOptions& options, const Log& log) {
+  const SharedReader reader;
+  const SceneFolders folders(path);
+  Scene scene = load_any(path, options, log);
+  check_budget(Budget::kInstances, static_cast<double>(scene.instances.size()), path.string());
+  check_budget(Budget::kTriangles, static_cast<double>(scene.triangle_count()), path.string());
+  return scene;
 }
 
 void assign_scenario_materials(Scene& world, const Scenario& scenario, const Log& log) {
@@ -118,6 +134,10 @@ void assign_scenario_materials(Scene& world, const Scenario& scenario, const Log
 Scene load_scene(const Scenario& scenario, const Log& log) {
   Scene scene;
   if (!scenario.world.empty()) {
+    std::optional<SceneFolders> folders;
+    if (!scenario.file.empty() && !is_stream(scenario.file)) {
+      folders.emplace(scenario.file);
+    }
     scene = load_scene(scenario.world, world_options(scenario), log);
     for (const std::string& line : odd_places(scenario, scene)) {
       log_line(log, Severity::kWarning, line);

@@ -44,6 +44,26 @@ TEST_F(CliTest, AWorldWithoutItsReaderIsAnErrorUnlessItIsReadInProcess) {
   }
 }
 
+TEST_F(CliTest, MoreThreadsThanThereIsMemoryForAreOneLine) {
+  if (kSanitized) {
+    GTEST_SKIP() << "A sanitizer takes more address space";
+  }
+  for (const int megabytes : {300, 900}) {
+    for (const int threads : {64, 1024}) {
+      const Outcome outcome = shell(fmt::format(
+          "ulimit -v {}; insonify run fan.yaml -o out -q --no-pictures -f --threads {}", megabytes * 1000, threads));
+      EXPECT_THAT(outcome.status, AnyOf(0, 1, 2));
+      if (outcome.status != 0) {
+        EXPECT_THAT(outcome.err,
+                    MatchesRegex("insonify: (threads = [0-9]+: only [0-9]+ can be started: Resource temporarily "
+                                 "unavailable|out of memory|ended by a thread: pthread_create has failed: Resource "
+                                 "temporarily unavailable; fewer threads take less memory)\n"));
+      }
+      EXPECT_TRUE(threads == 64 || outcome.status != 0);
+    }
+  }
+}
+
 // Processes insonify-read that work in this folder.
 std::vector<std::string> readers_here() {
   std::vector<std::string> readers;

@@ -103,7 +103,7 @@ TEST(StrangersFilesTest, MemoryHasALimit) {
     GTEST_SKIP() << "A sanitizer ends the reader by an exit status, and has no limit of memory";
   }
   const WorkingFolder folder;
-  const Setting limits("INSONIFY_READER_LIMITS", "0.5 60");
+  const Setting limits("INSONIFY_LIMITS", "memory=5e8");
   folder.write("a.dae", changed(dae_text(), "<p>0 2 1", "<p>0 1 x"));
   EXPECT_EQ(message_of([] { (void)load_mesh("a.dae"); }), "a.dae: the reader of DAE files needed more than 0.5 GB");
 }
@@ -118,7 +118,7 @@ TEST(StrangersFilesTest, ProcessorTimeHasALimit) {
   }
   folder.write("a.mtl", materials);
   folder.write("a.obj", obj);
-  const Setting limits("INSONIFY_READER_LIMITS", "4 1");
+  const Setting limits("INSONIFY_LIMITS", "memory=4e9 seconds=1");
   EXPECT_EQ(message_of([] { (void)load_mesh("a.obj"); }),
             "a.obj: the reader of OBJ files took longer than 2 s of processor time");
 }
@@ -126,9 +126,13 @@ TEST(StrangersFilesTest, ProcessorTimeHasALimit) {
 TEST(StrangersFilesTest, LimitsMustBeNumbers) {
   const WorkingFolder folder;
   folder.write("a.obj", obj_text());
-  const Setting limits("INSONIFY_READER_LIMITS", "much");
-  EXPECT_EQ(message_of([] { (void)load_mesh("a.obj"); }),
-            "INSONIFY_READER_LIMITS = much must be two numbers: GB of memory and seconds of processor time");
+  for (const std::string word : {"much", "memory", "memory=", "memory=0", "memory=-1", "memory=1x", "rooms=4"}) {
+    const Setting limits("INSONIFY_LIMITS", "seconds=9 " + word);
+    EXPECT_EQ(message_of([] { (void)load_mesh("a.obj"); }),
+              "INSONIFY_LIMITS: " + word +
+                  " must be KEY=NUMBER, with a number from 1 and a key of bytes, pixels, nodes, instances, triangles, "
+                  "memory, seconds");
+  }
 }
 
 TEST(StrangersFilesTest, EndlessFilesAreRefused) {
@@ -136,7 +140,7 @@ TEST(StrangersFilesTest, EndlessFilesAreRefused) {
     GTEST_SKIP() << "A sanitizer ends the reader by an exit status, and has no limit of memory";
   }
   const WorkingFolder folder;
-  const Setting limits("INSONIFY_READER_LIMITS", "0.4 5");
+  const Setting limits("INSONIFY_LIMITS", "memory=4e8 seconds=5");
   for (const char* name : {"a.obj", "a.stl", "a.dae", "a.ply", "a.gltf", "a.glb", "a.png", "a.bag", "a.asc", "a.h5"}) {
     std::filesystem::create_symlink("/dev/zero", name);
     EXPECT_THAT(message_of([&] {
@@ -220,18 +224,50 @@ TEST(StrangersRecordingTest, ThreadsTakeTurns) {
 TEST(StrangersRecordingTest, OtherFilesAreNotOpened) {
   const WorkingFolder folder;
   folder.write("secret", "abc");
+  write_intensity("secret.h5", {1, 1, 3}, H5T_STD_U8LE, {1, 2, 3});
+  const hsize_t shape[] = {1, 1, 3};
+  const H5Handle space(H5Screate_simple(3, shape, nullptr), H5Sclose);
+  const auto message_with = [&](const std::function<void(hid_t file, hid_t layout)>& make) {
+    {
+      const H5Handle file(H5Fcreate("a.h5", H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
+      const H5Handle layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+      make(file.get(), layout.get());
+    }
+    return message_of([] { (void)RecordedPings("a.h5"); });
+  };
+  const auto set = [&](hid_t file, hid_t layout) {
+    H5Dclose(H5Dcreate2(file, "intensity", H5T_STD_U8LE, space.get(), H5P_DEFAULT, layout, H5P_DEFAULT));
+  };
+  const std::string elsewhere = "a.h5: intensity has its values in other files, which are not read";
+  EXPECT_EQ(message_with([&](hid_t file, hid_t layout) {
+              H5Pset_external(layout, "secret", 0, 3);
+              set(file, layout);
+            }),
+            elsewhere);
+  EXPECT_EQ(message_with([&](hid_t file, hid_t layout) {
+              H5Pset_virtual(layout, space.get(), "secret.h5", "intensity", space.get());
+              set(file, layout);
+            }),
+            elsewhere);
+  EXPECT_EQ(message_with([&](hid_t file, hid_t) {
+              H5Lcreate_external("secret.h5", "intensity", file, "intensity", H5P_DEFAULT, H5P_DEFAULT);
+            }),
+            "a.h5: intensity is a link to another file, which is not read");
+  EXPECT_THAT(message_with([&](hid_t file, hid_t) {
+                H5Lcreate_external("secret.h5", "/", file, "other", H5P_DEFAULT, H5P_DEFAULT);
+                H5Lcreate_soft("other/intensity", file, "intensity", H5P_DEFAULT, H5P_DEFAULT);
+              }),
+              StartsWith("a.h5: cannot "));
+}
+
+TEST(StrangersRecordingTest, OtherFilesAreNotOpenedForAGridEither) {
+  const WorkingFolder folder;
   {
-    const H5Handle file(H5Fcreate("a.h5", H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
-    const hsize_t shape[] = {1, 1, 3};
-    const H5Handle space(H5Screate_simple(3, shape, nullptr), H5Sclose);
-    const H5Handle layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-    H5Pset_external(layout.get(), "secret", 0, 3);
-    const H5Handle set(
-        H5Dcreate2(file.get(), "intensity", H5T_STD_U8LE, space.get(), H5P_DEFAULT, layout.get(), H5P_DEFAULT),
-        H5Dclose);
+    const H5Handle file(H5Fcreate("a.bag", H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
+    H5Lcreate_external("secret.bag", "BAG_root", file.get(), "BAG_root", H5P_DEFAULT, H5P_DEFAULT);
   }
-  const RecordedPings pings("a.h5");
-  EXPECT_THAT(message_of([&] { (void)pings.intensity(0); }), StartsWith("a.h5: cannot read intensity: "));
+  EXPECT_EQ(message_of([] { (void)load_height_grid("a.bag"); }),
+            "a.bag: /BAG_root/elevation is a link to another file, which is not read");
 }
 
 }  // namespace

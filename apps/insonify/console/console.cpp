@@ -8,10 +8,12 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <new>
 #include <system_error>
 
@@ -68,10 +70,31 @@ int finish_output(int status) {
   return status == kDone ? kFailed : status;
 }
 
+// For exceptions in threads of libraries, such as oneTBB where the system starts no more of them. Several threads may
+// end so at once.
+[[noreturn]] void end_with_reason() {
+  static std::atomic_flag begun;
+  while (begun.test_and_set()) {
+    pause();
+  }
+  try {
+    if (std::current_exception() != nullptr) {
+      throw;
+    }
+    complain("ended by a fault of its own");
+  } catch (const std::exception& error) {
+    complain(fmt::format("ended by a thread: {}; fewer threads take less memory", error.what()));
+  } catch (...) {
+    complain("ended by a fault of its own");
+  }
+  _exit(kFailed);
+}
+
 }  // namespace
 
 int run_guarded(const std::function<int()>& program) {
   open_standard_streams();
+  std::set_terminate(end_with_reason);
   std::signal(SIGXFSZ, SIG_IGN);  // Exceeding a file size limit becomes an ordinary write error.
   return finish_output(status_of(program));
 }

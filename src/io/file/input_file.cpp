@@ -11,6 +11,7 @@
 
 #include "insonify/error.h"
 #include "insonify/printable.h"
+#include "io/file/budgets.h"
 
 namespace insonify {
 namespace {
@@ -31,6 +32,11 @@ std::string read_all(const std::filesystem::path& path) {
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   std::string text;
+  if (std::error_code ignored; !is_stream(path)) {
+    const std::uintmax_t bytes = std::filesystem::file_size(path, ignored);
+    check_budget(Budget::kBytes, ignored ? 0 : static_cast<double>(bytes), path.string());
+    text.reserve(ignored ? 0 : bytes);
+  }
   std::array<char, 65536> part;
   while (file.read(part.data(), part.size()) || file.gcount() > 0) {
     text.append(part.data(), static_cast<std::size_t>(file.gcount()));

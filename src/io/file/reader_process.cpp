@@ -26,19 +26,16 @@
 #include "insonify/error.h"
 #include "insonify/files.h"
 #include "insonify/version.h"
+#include "io/file/budgets.h"
 
 namespace insonify {
 namespace {
 
-// The only place that names the environment's settings: "in-process" or the program's path; and two numbers, such as
-// "4 60", for kMemory and kSeconds below.
+// The only place that names this setting in the environment: "in-process" or the program's path.
 constexpr const char* kSetting = "INSONIFY_READER";
-constexpr const char* kLimitsSetting = "INSONIFY_READER_LIMITS";
 constexpr std::string_view kInProcess = "in-process";
 
-constexpr double kMostMemory = 16;         // Or half of the machine's memory, if that is less [1e9 bytes].
-constexpr double kSeconds = 60;            // Processor time [s], and
-constexpr double kSecondsAGigabyte = 100;  // for each gigabyte of the file.
+constexpr double kSecondsAGigabyte = 100;  // More processor time for each gigabyte of the file [s].
 constexpr double kPatience = 10;           // How many times as long may pass: disks are slow.
 
 std::atomic<bool>& reads_here_flag() {
@@ -49,29 +46,11 @@ std::atomic<bool>& reads_here_flag() {
   return flag;
 }
 
-ReaderLimits reader_limits() {
-  ReaderLimits limits{std::min(kMostMemory, static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-                                                static_cast<double>(sysconf(_SC_PAGESIZE)) / 2e9),
-                      kSeconds};
-  const char* setting = std::getenv(kLimitsSetting);
-  char* end = nullptr;
-  if (setting != nullptr && *setting != '\0') {
-    limits.memory_gb = std::strtod(setting, &end);
-    limits.seconds = std::strtod(end, &end);
-    if (!(limits.memory_gb > 0 && limits.memory_gb < 1e6 && limits.seconds >= 1 && limits.seconds < 1e6) ||
-        *end != '\0') {
-      throw Error(fmt::format("{} = {} must be two numbers: GB of memory and seconds of processor time", kLimitsSetting,
-                              setting));
-    }
-  }
-  return limits;
-}
-
 std::uint32_t seconds_for(const StrangersFile& file) {
   std::error_code ignored;
   const std::uintmax_t bytes = std::filesystem::file_size(file.path, ignored);
   return static_cast<std::uint32_t>(
-      std::ceil(reader_limits().seconds + (ignored ? 0 : static_cast<double>(bytes) / 1e9 * kSecondsAGigabyte)));
+      std::ceil(budget(Budget::kSeconds) + (ignored ? 0 : static_cast<double>(bytes) / 1e9 * kSecondsAGigabyte)));
 }
 
 // The folder of this library or, where it is a part of a program, of that. Never by a relative path, at which a
@@ -110,8 +89,7 @@ int moved_up(int file) {
 
 // Starts the program with these two files and no others, and with no signal blocked or ignored.
 int spawn_reader(const std::string& program, int socket, int memory, pid_t& child) {
-  std::string name = "insonify-read", version = kVersion,
-              bytes = fmt::format("{:.0f}", reader_limits().memory_gb * 1e9);
+  std::string name = "insonify-read", version = kVersion, bytes = fmt::format("{:.0f}", budget(Budget::kMemory));
   char* arguments[] = {name.data(), version.data(), bytes.data(), nullptr};
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);
@@ -233,7 +211,7 @@ void ReaderProcess::fail(const StrangersFile& file, std::uint32_t seconds, bool 
     const char* name = sigabbrev_np(signal);
     what = fmt::format("crashed (SIG{})", name != nullptr ? name : std::to_string(signal));
   } else if (WEXITSTATUS(status) == kReaderNoMemory) {
-    what = fmt::format("needed more than {:.3g} GB", reader_limits().memory_gb);
+    what = fmt::format("needed more than {:.3g} GB", budget(Budget::kMemory) / 1e9);
   } else {
     what = fmt::format("did not work: insonify-read ended with status {}", WEXITSTATUS(status));
   }

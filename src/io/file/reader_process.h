@@ -27,12 +27,6 @@ struct StrangersFile {
   std::string format;  ///< As "DAE" in "the reader of DAE files crashed (SIGSEGV)".
 };
 
-/// Bounds on what a reader process may use for one request.
-struct ReaderLimits {
-  double memory_gb = 0;  ///< Address space [1e9 bytes].
-  double seconds = 0;    ///< Processor time [s]; ten times as long may pass.
-};
-
 /// What passes between the two processes by their socket; arguments and results are in shared memory.
 struct ReaderRequest {
   ReaderTask task = ReaderTask::kMesh;
@@ -51,8 +45,9 @@ inline constexpr int kReaderNoMemory = 4;                   ///< Exit status of 
 /// read_files_in_process() or has INSONIFY_READER=in-process in its environment.
 [[nodiscard]] bool reads_here();
 
-/// A reader process. It begins at the first request, and again after it has ended at another; in a process forked from
-/// this one too. Calls from several threads take turns.
+/// A reader process, bounded by Budget::kMemory and kSeconds; ten times as long may pass. It begins at the first
+/// request, and again after it has ended at another; in a process forked from this one too. Calls from several threads
+/// take turns.
 class ReaderProcess {
  public:
   ReaderProcess() = default;

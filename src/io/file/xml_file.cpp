@@ -8,6 +8,7 @@
 
 #include "insonify/error.h"
 #include "insonify/printable.h"
+#include "io/file/budgets.h"
 
 namespace insonify {
 namespace {
@@ -21,9 +22,24 @@ struct DepthLimit : pugi::xml_tree_walker {
   pugi::xml_node too_deep;
 };
 
+// Elements and attributes, each of which takes much more memory than the few bytes that it may have in the file.
+double count_nodes(std::string_view text) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i + 1 < text.size(); ++i) {
+    const char next = text[i + 1];
+    count += (text[i] == '<' && next != '/' && next != '!' && next != '?') ||
+                     (text[i] == '=' && (next == '"' || next == '\''))
+                 ? 1
+                 : 0;
+  }
+  return static_cast<double>(count);
+}
+
 }  // namespace
 
 XmlFile::XmlFile(std::string_view text, std::string shown) : shown_(std::move(shown)), line_starts_{0} {
+  nodes_ = count_nodes(text);
+  check_budget(Budget::kNodes, nodes_, shown_);
   for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n', end + 1)) {
     line_starts_.push_back(end + 1);
   }

@@ -19,10 +19,13 @@ class XmlFile {
   /// @param text   In UTF-8, see xml_in_utf8().
   /// @param shown  The file name in messages.
   /// @throws Error "path:line:column: ..." for a text that is not well-formed, has no element or more than one at its
-  /// root, or is nested deeper than kDeepestXml.
+  /// root, or is nested deeper than kDeepestXml; and for more elements and attributes than Budget::kNodes.
   XmlFile(std::string_view text, std::string shown);
 
   [[nodiscard]] pugi::xml_node root() const { return document_.document_element(); }
+
+  /// Number of its elements and attributes.
+  [[nodiscard]] double nodes() const { return nodes_; }
 
   /// Place of an element's '<', columns in bytes; without a line for one that was added later.
   [[nodiscard]] Place place(pugi::xml_node element) const;
@@ -37,6 +40,7 @@ class XmlFile {
   [[nodiscard]] Place place_of(std::ptrdiff_t offset) const;
 
   std::string shown_;
+  double nodes_ = 0;
   std::vector<std::size_t> line_starts_;  // Offsets into the text.
   pugi::xml_document document_;
 };

@@ -18,6 +18,10 @@ namespace insonify {
 /// Endings of height grids for messages: ".png, .asc, .bag".
 [[nodiscard]] std::string height_grid_file_endings();
 
+/// make_height_field() of a grid that was read.
+/// @throws Error for more triangles than Budget allows.
+[[nodiscard]] Mesh height_field_of(const HeightGrid& grid);
+
 // One reader a format; see load_height_grid.
 [[nodiscard]] HeightGrid load_asc_grid(const std::filesystem::path& path, const Log& log);
 [[nodiscard]] HeightGrid load_bag_grid(const std::filesystem::path& path, const Log& log);

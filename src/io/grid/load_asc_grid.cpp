@@ -10,6 +10,7 @@
 
 #include "insonify/error.h"
 #include "insonify/printable.h"
+#include "io/file/budgets.h"
 #include "io/file/input_file.h"
 #include "io/grid/height_grid_file.h"
 
@@ -32,6 +33,7 @@ class Words {
 
   [[nodiscard]] std::string_view word() const { return word_; }  // Empty at the end.
   [[nodiscard]] int line() const { return line_; }
+  [[nodiscard]] std::string path() const { return path_.string(); }
   [[nodiscard]] std::size_t size() const { return text_.size(); }  // Bytes of the whole text.
 
   void next() {
@@ -185,6 +187,7 @@ void read_heights(Words& words, const Header& header, HeightGrid& grid) {
   if (grid.heights.size() < needed) {
     words.fail(line, fmt::format("the file ends after {} heights; {} needs {}", grid.heights.size(), size, needed));
   }
+  check_budget(Budget::kPixels, static_cast<double>(needed), words.path());
   if (!words.word().empty()) {
     words.fail(fmt::format("more heights than {} = {}", size, needed));
   }

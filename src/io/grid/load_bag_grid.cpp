@@ -17,6 +17,7 @@
 
 #include "base/log_line.h"
 #include "insonify/error.h"
+#include "io/file/budgets.h"
 #include "io/file/hdf5.h"
 #include "io/file/reader_process.h"
 #include "io/file/xml_file.h"
@@ -144,14 +145,14 @@ constexpr float kNoData = 1e6F;
 constexpr hsize_t kMost = 200'000;  // Rows and columns.
 
 void read_elevation(hid_t file, const std::filesystem::path& path, BagContents& bag) {
-  const H5Handle dataset =
-      h5_own(H5Dopen2(file, "/BAG_root/elevation", H5P_DEFAULT), H5Dclose, path, "open /BAG_root/elevation");
+  const H5Handle dataset = h5_open_object(file, "/BAG_root/elevation", path);
   const H5Handle space = h5_own(H5Dget_space(dataset.get()), H5Sclose, path, "size /BAG_root/elevation");
   hsize_t size[2] = {0, 0};
   if (H5Sget_simple_extent_ndims(space.get()) != 2 || H5Sget_simple_extent_dims(space.get(), size, nullptr) != 2 ||
       std::min(size[0], size[1]) < 2 || std::max(size[0], size[1]) > kMost) {
     throw Error(fmt::format("{}: /BAG_root/elevation must have from 2 to {} rows and columns", path.string(), kMost));
   }
+  check_budget(Budget::kPixels, static_cast<double>(size[0]) * static_cast<double>(size[1]), path.string());
   bag.rows = size[0];
   bag.columns = size[1];
   bag.heights.resize(size[0] * size[1]);
@@ -160,14 +161,15 @@ void read_elevation(hid_t file, const std::filesystem::path& path, BagContents& 
 }
 
 std::string read_metadata(hid_t file, const std::filesystem::path& path) {
-  const H5Handle dataset =
-      h5_own(H5Dopen2(file, "/BAG_root/metadata", H5P_DEFAULT), H5Dclose, path, "open /BAG_root/metadata");
+  const H5Handle dataset = h5_open_object(file, "/BAG_root/metadata", path);
   const H5Handle space = h5_own(H5Dget_space(dataset.get()), H5Sclose, path, "size /BAG_root/metadata");
   const H5Handle type = h5_own(H5Dget_type(dataset.get()), H5Tclose, path, "read /BAG_root/metadata");
   if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) != 0) {
     throw Error(fmt::format("{}: /BAG_root/metadata must be an array of characters", path.string()));
   }
   const hssize_t count = h5_check(H5Sget_simple_extent_npoints(space.get()), path, "size /BAG_root/metadata");
+  check_budget(Budget::kBytes, static_cast<double>(count) * static_cast<double>(H5Tget_size(type.get())),
+               path.string());
   std::string xml(static_cast<std::size_t>(count) * H5Tget_size(type.get()), '\0');
   h5_check(H5Dread(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, xml.data()), path,
            "read /BAG_root/metadata");

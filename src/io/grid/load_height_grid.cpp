@@ -10,6 +10,7 @@
 #include "base/log_line.h"
 #include "insonify/error.h"
 #include "insonify/files.h"
+#include "io/file/budgets.h"
 #include "io/file/input_file.h"
 #include "io/grid/height_grid_file.h"
 #include "io/picture/png_reader.h"
@@ -105,6 +106,11 @@ void turn_degrees_into_metres(HeightGrid& grid, const std::filesystem::path& pat
   log_line(log, Severity::kInfo,
            fmt::format("{}: spacing of {:.6g} x {:.6g} degrees taken as {:.4g} x {:.4g} m, at latitude {:.4g}",
                        path.filename().string(), degrees_x, degrees_y, grid.spacing_x, grid.spacing_y, latitude));
+}
+
+Mesh height_field_of(const HeightGrid& grid) {
+  check_budget(Budget::kTriangles, 2.0 * grid.rows * grid.columns, grid.name);
+  return make_height_field(grid);
 }
 
 HeightGrid load_height_grid(const std::filesystem::path& path, const Log& log) {

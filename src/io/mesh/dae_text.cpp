@@ -10,6 +10,7 @@
 #include "insonify/printable.h"
 #include "io/file/xml_file.h"
 #include "io/mesh/mesh_checks.h"
+#include "io/mesh/node_graph.h"
 
 namespace insonify {
 namespace {
@@ -47,6 +48,63 @@ void check_instances(const XmlFile& xml) {
                               printable(url)));
     }
   });
+}
+
+// Triangles or polygons of each geometry and controller, by "#id".
+std::map<std::string, double> sizes_of_geometries(const XmlFile& xml) {
+  static const std::set<std::string_view> kPrimitives = {"triangles", "trifans", "tristrips", "polylist", "polygons"};
+  std::map<std::string, double> sizes;
+  each_element(xml.root(), [&](pugi::xml_node geometry) {
+    if (geometry.name() == std::string_view("geometry")) {
+      double& size = sizes[std::string("#") + geometry.attribute("id").value()];
+      each_element(geometry, [&](pugi::xml_node element) {
+        size += kPrimitives.contains(element.name()) ? element.attribute("count").as_double() : 0;
+      });
+    }
+  });
+  each_element(xml.root(), [&](pugi::xml_node controller) {
+    if (controller.name() == std::string_view("controller")) {
+      const double size = sizes[controller.child("skin").attribute("source").value()];
+      sizes[std::string("#") + controller.attribute("id").value()] = size;
+    }
+  });
+  return sizes;
+}
+
+void check_nodes(const XmlFile& xml, const std::filesystem::path& path) {
+  std::map<std::string, double> sizes = sizes_of_geometries(xml);
+  std::map<pugi::xml_node, std::size_t> indices;
+  std::map<std::string, std::size_t> by_id;
+  NodeGraph graph;
+  each_element(xml.root(), [&](pugi::xml_node element) {
+    if (element.name() == std::string_view("node")) {
+      const std::string id = element.attribute("id").value();
+      indices[element] = by_id["#" + id] = graph.nodes.size();
+      graph.nodes.push_back({.name = fmt::format("node '{}'", id)});
+    }
+  });
+  for (const auto& [element, index] : indices) {
+    NodeGraph::Node& node = graph.nodes[index];
+    for (const pugi::xml_node child : element.children()) {
+      const std::string url = child.attribute("url").value();
+      if (const auto inner = indices.find(child); inner != indices.end()) {
+        node.children.push_back(inner->second);
+      } else if (child.name() == std::string_view("instance_node") && by_id.contains(url)) {
+        node.children.push_back(by_id[url]);
+      } else if (kInstances.contains(child.name())) {
+        node.triangles += sizes[url];
+      }
+    }
+  }
+  each_element(xml.root(), [&](pugi::xml_node scene) {
+    if (scene.name() == std::string_view("visual_scene")) {
+      std::vector<std::size_t>& roots = graph.roots.emplace_back();
+      for (const pugi::xml_node node : scene.children("node")) {
+        roots.push_back(indices.at(node));
+      }
+    }
+  });
+  check_node_graph(graph, path);
 }
 
 // Whether an element below <library_effects> leads to a map of small normals or is one.
@@ -117,6 +175,7 @@ std::string mend_dae(std::string text, const std::filesystem::path& path) {
   text = xml_in_utf8(std::move(text));
   const XmlFile xml(text, path.string());
   check_instances(xml);
+  check_nodes(xml, path);
   std::string mended;
   std::size_t done = 0;
   for (const pugi::xml_node element : xml.root().children()) {

@@ -17,6 +17,7 @@
 #include "base/utf8.h"
 #include "insonify/error.h"
 #include "insonify/printable.h"
+#include "io/file/budgets.h"
 #include "io/file/input_file.h"
 #include "io/mesh/import_scene.h"
 #include "io/mesh/ply_file.h"
@@ -111,6 +112,8 @@ class Flattener {
         triangles += std::max(part.mesh->mFaces[i].mNumIndices, 2U) - 2;
       }
     }
+    check_budget(Budget::kTriangles, std::max(static_cast<double>(triangles), static_cast<double>(vertices) / 3),
+                 settings_.path.string());
     mesh_.vertices.reserve(vertices);
     mesh_.normals.reserve(vertices);
     mesh_.triangles.reserve(triangles);

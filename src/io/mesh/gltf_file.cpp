@@ -10,6 +10,7 @@
 #include "base/utf8.h"
 #include "insonify/error.h"
 #include "insonify/printable.h"
+#include "io/file/budgets.h"
 #include "io/file/input_file.h"
 #include "io/file/uri.h"
 
@@ -222,6 +223,9 @@ std::vector<float> GltfFile::numbers(std::size_t index) {
   if (layout.components == 0) {
     fail(fmt::format("accessors[{}] has no type that is read", index));
   }
+  // Sparse ones need no bytes for elements, and several may lie on the same bytes.
+  numbers_ += static_cast<double>(layout.count * layout.components);
+  check_budget(Budget::kTriangles, numbers_ / 9, path_.string());
   std::vector<float> values;
   if (accessor.contains("bufferView")) {
     layout.view = whole(accessor, "bufferView");

@@ -24,7 +24,8 @@ class GltfFile {
 
   /// Numbers of an accessor as single-precision values, count x components: of any component type, normalised,
   /// strided or sparse.
-  /// @throws Error for one that does not exist, or leads out of its buffer.
+  /// @throws Error for one that does not exist, or leads out of its buffer, and if they are more in all than nine for
+  ///         each of Budget::kTriangles.
   [[nodiscard]] std::vector<float> numbers(std::size_t accessor);
 
   /// Element `index` of a list at the root.
@@ -50,6 +51,7 @@ class GltfFile {
 
   std::filesystem::path path_;
   std::string chunk_;
+  double numbers_ = 0;  // Converted so far.
   std::map<std::size_t, std::string> buffers_;
 };
 

@@ -15,7 +15,9 @@
 #include <set>
 
 #include "insonify/error.h"
+#include "insonify/printable.h"
 #include "io/file/input_file.h"
+#include "io/file/scene_folders.h"
 #include "io/mesh/mend_gltf.h"
 #include "io/mesh/mesh_checks.h"
 
@@ -25,16 +27,22 @@ namespace {
 // Files by the names under which assimp opens them, in whatever folder. The mesh file itself has its whole path.
 using FilesInMemory = std::map<std::string, std::string>;
 
-// Opens files in memory; others, such as buffers and material libraries, as usual.
+// Opens files in memory; others, such as buffers and material libraries, if the scene may name them.
 class MemoryFirst : public Assimp::DefaultIOSystem {
  public:
-  MemoryFirst(const FilesInMemory& files, bool is_obj) : files_(files), is_obj_(is_obj) {}
+  /// @param outside  Receives files that the scene may not name, which are not opened.
+  MemoryFirst(const FilesInMemory& files, const std::filesystem::path& mesh, std::set<std::string>& outside)
+      : files_(files), mesh_(mesh), is_obj_(ending_of(mesh) == ".obj"), outside_(outside) {}
 
   bool Exists(const char* file) const override { return find(file) != nullptr || DefaultIOSystem::Exists(file); }
 
   Assimp::IOStream* Open(const char* file, const char* mode) override {
     if (const std::string* text = find(file)) {
       return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(text->data()), text->size());
+    }
+    if (DefaultIOSystem::Exists(file) && !is_in_scene(file, mesh_)) {
+      outside_.emplace(file);
+      return nullptr;
     }
     // The mesh itself is in memory, so that what else an OBJ opens is its library of materials.
     return is_obj_ && DefaultIOSystem::Exists(file) ? open_library(file) : DefaultIOSystem::Open(file, mode);
@@ -56,7 +64,9 @@ class MemoryFirst : public Assimp::DefaultIOSystem {
   }
 
   const FilesInMemory& files_;
+  const std::filesystem::path& mesh_;
   bool is_obj_;
+  std::set<std::string>& outside_;
 };
 
 // What assimp is given in place of a file.
@@ -142,11 +152,18 @@ ImportedScene import_scene(Assimp::Importer& importer, const std::filesystem::pa
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
-  importer.SetIOHandler(new MemoryFirst(mended.files, ending == ".obj"));
+  std::set<std::string> outside;
+  importer.SetIOHandler(new MemoryFirst(mended.files, path, outside));
   importer.ReadFile(mended.name, kNoSteps);
   importer.SetIOHandler(new Assimp::DefaultIOSystem);  // Deletes the other one.
 
+  for (const std::string& file : outside) {
+    mended.notes.push_back(fmt::format("'{}' {}", printable(file, kLongestName), kOutsideScene));
+  }
   const aiScene* scene = importer.GetScene();
+  if (scene == nullptr && !outside.empty()) {
+    throw Error(fmt::format("{}: {}", path.string(), mended.notes.back()));
+  }
   if (scene == nullptr || scene->mRootNode == nullptr) {
     // assimp's messages may quote the rest of the file after a line break.
     const std::string message = importer.GetErrorString();

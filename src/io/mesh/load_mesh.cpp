@@ -18,6 +18,7 @@
 #include "insonify/printable.h"
 #include "io/file/input_file.h"
 #include "io/file/reader_process.h"
+#include "io/file/scene_folders.h"
 #include "io/mesh/flatten_scene.h"
 #include "io/mesh/mesh_file.h"
 #include "io/mesh/mesh_read_ahead.h"
@@ -34,7 +35,7 @@ FlattenedScene read(const std::filesystem::path& path, const std::string& submes
   }
   std::string format = ending_of(path).substr(1);
   std::ranges::transform(format, format.begin(), [](char c) { return static_cast<char>(std::toupper(c)); });
-  return read_apart<FlattenedScene>({path, format}, ReaderTask::kMesh, path.string(), submesh);
+  return read_apart<FlattenedScene>({path, format}, ReaderTask::kMesh, path.string(), submesh, SceneFolders::current());
 }
 
 void move_to_origin(Mesh& mesh) {

@@ -10,9 +10,12 @@
 
 #include "insonify/error.h"
 #include "insonify/printable.h"
+#include "io/file/budgets.h"
 #include "io/file/input_file.h"
+#include "io/file/scene_folders.h"
 #include "io/file/uri.h"
 #include "io/mesh/gltf_file.h"
+#include "io/mesh/node_graph.h"
 
 namespace insonify {
 namespace {
@@ -71,6 +74,7 @@ void place_instances(GltfFile& file, std::size_t index, const std::filesystem::p
     throw Error(
         fmt::format("{}: the instances of nodes[{}] have attributes of different counts", path.string(), index));
   }
+  check_budget(Budget::kInstances, static_cast<double>(count), path.string());
   json children = node.value("children", json::array());
   json& nodes = list(file, "nodes");
   for (std::size_t i = 0; i < count; ++i) {
@@ -95,6 +99,62 @@ void place_instances(GltfFile& file, std::size_t index, const std::filesystem::p
   }
   nodes[index].erase("mesh");
   nodes[index]["children"] = std::move(children);
+}
+
+std::size_t triangle_count(const GltfFile& file, const json& primitive) {
+  constexpr std::size_t kTriangles = 4;
+  const std::size_t mode = file.whole(primitive, "mode", kTriangles);
+  const json attributes = primitive.value("attributes", json::object());
+  if (mode < kTriangles || !attributes.contains("POSITION")) {
+    return 0;
+  }
+  const std::size_t accessor =
+      primitive.contains("indices") ? file.whole(primitive, "indices") : file.whole(attributes, "POSITION");
+  const std::size_t corners = file.whole(file.at("accessors", accessor), "count");
+  return mode == kTriangles ? (corners + 2) / 3 : std::max<std::size_t>(corners, 2) - 2;
+}
+
+// What counts as triangles for Budget: a mesh may have more vertices than they need.
+double size_of_mesh(const GltfFile& file, const json& mesh) {
+  double size = 0;
+  for (const json& primitive : mesh.value("primitives", json::array())) {
+    const json attributes = primitive.value("attributes", json::object());
+    const std::size_t vertices = attributes.contains("POSITION")
+                                     ? file.whole(file.at("accessors", file.whole(attributes, "POSITION")), "count")
+                                     : 0;
+    size += std::max(static_cast<double>(triangle_count(file, primitive)), static_cast<double>(vertices) / 3);
+  }
+  return size;
+}
+
+void check_nodes(GltfFile& file, const std::filesystem::path& path) {
+  const std::size_t count = list(file, "nodes").size();
+  const auto indices_of = [&](const json& owner, const char* key) {
+    std::vector<std::size_t> indices;
+    for (const json& index : owner.value(key, json::array())) {
+      if (index.is_number_unsigned() && index.get<std::size_t>() < count) {
+        indices.push_back(index.get<std::size_t>());
+      }
+    }
+    return indices;
+  };
+  std::vector<double> meshes;
+  double all_meshes = 0;
+  for (const json& mesh : list(file, "meshes")) {
+    meshes.push_back(size_of_mesh(file, mesh));
+    all_meshes += meshes.back();
+  }
+  check_budget(Budget::kTriangles, all_meshes, path.string());
+  NodeGraph graph;
+  for (const json& node : list(file, "nodes")) {
+    const std::size_t mesh = file.whole(node, "mesh", static_cast<long>(meshes.size()));
+    graph.nodes.push_back({fmt::format("nodes[{}]", graph.nodes.size()), indices_of(node, "children"),
+                           mesh < meshes.size() ? meshes[mesh] : 0});
+  }
+  for (const json& scene : list(file, "scenes")) {
+    graph.roots.push_back(indices_of(scene, "nodes"));
+  }
+  check_node_graph(graph, path);
 }
 
 // ---------------------------------------------------------------- Vertices
@@ -144,19 +204,6 @@ json kept_attributes(const json& primitive, GltfFile& file, Converter& converter
     }
   }
   return kept;
-}
-
-std::size_t triangle_count(const GltfFile& file, const json& primitive) {
-  constexpr std::size_t kTriangles = 4;
-  const std::size_t mode = file.whole(primitive, "mode", kTriangles);
-  const json attributes = primitive.value("attributes", json::object());
-  if (mode < kTriangles || !attributes.contains("POSITION")) {
-    return 0;
-  }
-  const std::size_t accessor =
-      primitive.contains("indices") ? file.whole(primitive, "indices") : file.whole(attributes, "POSITION");
-  const std::size_t corners = file.whole(file.at("accessors", accessor), "count");
-  return mode == kTriangles ? (corners + 2) / 3 : std::max<std::size_t>(corners, 2) - 2;
 }
 
 void mend_meshes(GltfFile& file, std::string& numbers, MendedGltf& mended) {
@@ -219,12 +266,20 @@ std::string path_of_uri(const std::string& uri, const std::filesystem::path& fol
   return stays ? uri : decoded;
 }
 
-void decode_uris(GltfFile& file, const std::filesystem::path& folder) {
+void decode_uris(GltfFile& file, const std::filesystem::path& path) {
   for (const char* name : {"buffers", "images"}) {
     for (json& entry : list(file, name)) {
       if (entry.contains("uri")) {
-        entry["uri"] = path_of_uri(entry["uri"].get<std::string>(), folder);
+        entry["uri"] = path_of_uri(entry["uri"].get<std::string>(), path.parent_path());
       }
+    }
+  }
+  for (const json& buffer : list(file, "buffers")) {
+    const std::string uri = buffer.value("uri", std::string());
+    const std::filesystem::path named = path.parent_path() / uri;
+    std::error_code ignored;
+    if (!uri.starts_with("data:") && std::filesystem::exists(named, ignored) && !is_in_scene(named, path)) {
+      throw Error(fmt::format("{}: '{}' {}", path.string(), printable(uri), kOutsideScene));
     }
   }
 }
@@ -257,10 +312,11 @@ MendedGltf mend_gltf(const std::filesystem::path& path) {
       return mended;
     }
     check_required_extensions(file, path);
-    decode_uris(file, path.parent_path());
+    decode_uris(file, path);
     for (std::size_t i = 0, count = list(file, "nodes").size(); i < count; ++i) {
       place_instances(file, i, path);
     }
+    check_nodes(file, path);
     std::string numbers;
     mend_meshes(file, numbers, mended);
     leave_out_what_has_no_shape(file);

@@ -3,6 +3,7 @@
 #include "io/mesh/mesh_read_ahead.h"
 
 #include "io/file/reader_process.h"
+#include "io/file/scene_folders.h"
 
 namespace insonify {
 namespace {
@@ -36,7 +37,8 @@ void MeshReadAhead::want(const std::filesystem::path& path, const Submesh& subme
   if (file.valid()) {
     return;
   }
-  std::packaged_task<ReadFile()> task([path, submesh] {
+  std::packaged_task<ReadFile()> task([path, submesh, folders = SceneFolders::current()] {
+    const SceneFolders scene(folders);
     ReadFile read;
     const Log keep = [&](Severity severity, const std::string& line) { read.messages.emplace_back(severity, line); };
     try {

@@ -11,6 +11,7 @@
 #include "insonify/error.h"
 #include "insonify/printable.h"
 #include "io/file/input_file.h"
+#include "io/file/scene_folders.h"
 #include "io/file/uri.h"
 #include "io/mesh/relief_file.h"
 #include "io/picture/picture_tile.h"
@@ -41,16 +42,22 @@ fs::path find_picture(const std::string& name, const fs::path& mesh_path) {
   std::string plain = name;
   std::ranges::replace(plain, '\\', '/');
   const fs::path written = plain, folder = mesh_path.parent_path();
+  const fs::path textures = folder / ".." / "materials" / "textures";  // Of the model that the mesh is a part of.
+  bool is_outside = false;
   std::error_code ignored;
   for (const fs::path& given : {written, fs::path(percent_decoded(plain))}) {
-    for (const fs::path& candidate :
-         {folder / given, folder / given.filename(), folder / ".." / "materials" / "textures" / given.filename()}) {
-      if (fs::is_regular_file(candidate, ignored)) {
+    for (const fs::path& candidate : {folder / given, folder / given.filename(), textures / given.filename()}) {
+      if (!fs::is_regular_file(candidate, ignored)) {
+        continue;
+      }
+      if (is_in_scene(candidate, mesh_path, textures)) {
         return candidate.lexically_normal();
       }
+      is_outside = true;
     }
   }
-  throw Error(fmt::format("{}: no such file", printable((folder / written).lexically_normal().string(), kLongestName)));
+  throw Error(fmt::format("{}{}", printable((folder / written).lexically_normal().string(), kLongestName),
+                          is_outside ? std::string(" ") + kOutsideScene : ": no such file"));
 }
 
 PngReader open_picture(const aiScene& scene, const std::string& name, const fs::path& mesh_path) {

@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "insonify/error.h"
+#include "io/file/budgets.h"
 #include "io/file/input_file.h"
 #include "io/file/reader_process.h"
 
@@ -83,6 +84,7 @@ DecodedPng decode_png(const std::string& name, std::string_view file) {
     }
   };
   check(png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()));
+  check_budget(Budget::kPixels, static_cast<double>(image.width) * image.height, name);
   image.format &= ~PNG_FORMAT_FLAG_COLORMAP;
   DecodedPng png;
   png.width = image.width;

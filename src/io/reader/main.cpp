@@ -15,7 +15,9 @@
 
 #include "insonify/files.h"
 #include "insonify/version.h"
+#include "io/file/hdf5.h"
 #include "io/file/reader_process.h"
+#include "io/file/scene_folders.h"
 #include "io/foreign/foreign_formats.h"
 #include "io/grid/height_grid_file.h"
 #include "io/mesh/flatten_scene.h"
@@ -81,6 +83,7 @@ void confine(std::uint64_t memory_bytes) {
   limit(RLIMIT_NOFILE, kFiles);
   end_with_parent();
   change_nothing();
+  H5Lunregister(H5L_TYPE_EXTERNAL);  // Links to other files lead nowhere.
 }
 
 // It ends by SIGXCPU once it has used so much more processor time [s].
@@ -120,8 +123,11 @@ Value next(SharedBytes& arguments) {
 void answer(ReaderTask task, const std::string& path, OpenRecording& recording, SharedBytes& arguments,
             SharedBytes& result) {
   switch (task) {
-    case ReaderTask::kMesh:
-      return put(result, read_mesh(path, next<std::string>(arguments)));
+    case ReaderTask::kMesh: {
+      const auto submesh = next<std::string>(arguments);
+      const SceneFolders scene(next<std::vector<std::string>>(arguments));
+      return put(result, read_mesh(path, submesh));
+    }
     case ReaderTask::kPicture:
       return put(result, decode_png(path, next<std::string>(arguments)));
     case ReaderTask::kGrey:

@@ -18,6 +18,7 @@
 #include "insonify/printable.h"
 #include "insonify/world_parts.h"
 #include "io/file/input_file.h"
+#include "io/file/scene_folders.h"
 #include "io/scenario/yaml_read.h"
 #include "io/stonefish/stonefish_sonars.h"
 #include "io/world/sdf_reader.h"
@@ -158,6 +159,7 @@ bool add_sdf_sonars(YamlValue& scenario, const fs::path& path, std::span<const s
     return false;
   }
   const fs::path file = (is_stream(path) ? fs::path() : path.parent_path()) / world;
+  const SceneFolders folders(is_stream(path) ? file : path);
   const std::vector<SdfSonar> found = sdf_reader(file).load_sonars(file, {});
   if (found.empty() && is_sdf_file(path)) {
     throw Error(
@@ -188,6 +190,7 @@ std::vector<SonarCarrier> load_sonar_carriers(const Scenario& scenario) {
   if (!is_sdf_file(scenario.world)) {
     return carriers;
   }
+  const SceneFolders folders(scenario.file.empty() ? scenario.world : scenario.file);
   const std::vector<SdfSonar> found = sdf_reader(scenario.world).load_sonars(scenario.world, {});
   for (const SdfSonar& sonar : found) {
     const std::string name = sonar.name.empty() ? SonarConfig().name : sonar.name;
@@ -209,6 +212,7 @@ bool add_stonefish_sonars(YamlValue& scenario, const fs::path& path, std::span<c
     return false;
   }
   const fs::path file = (is_stream(path) ? fs::path() : path.parent_path()) / world;
+  const SceneFolders folders(is_stream(path) ? file : path);
   const StonefishSonars found =
       load_stonefish_sonars(file, is_given(scenario, "trajectory"), arguments_with(scenario, settings));
   if (found.sonars.empty()) {

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "insonify/printable.h"
+#include "io/file/scene_folders.h"
 #include "io/sdf/sdf_file.h"
 
 namespace insonify {
@@ -97,6 +98,7 @@ void Reader::read(const SdfModel& model, const std::string& scope, const Pose& w
 }  // namespace
 
 std::vector<SdfSonar> load_sdf_sonars(const std::filesystem::path& path, const Log& log) {
+  const SceneFolders folders(path);
   const auto lock = lock_sdf();
   MissingParts missing;  // Reported when the scene is read.
   const SdfModels models = read_sdf_models(path, {}, missing, log);

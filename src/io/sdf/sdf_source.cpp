@@ -3,17 +3,24 @@
 #include "io/sdf/sdf_source.h"
 
 #include <fmt/format.h>
-#include <stdlib.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <cerrno>
 #include <charconv>
-#include <fstream>
 #include <memory>
+#include <span>
 #include <sstream>
+#include <system_error>
 
 #include "base/log_line.h"
 #include "insonify/error.h"
 #include "insonify/printable.h"
+#include "io/file/budgets.h"
 #include "io/file/input_file.h"
+#include "io/file/unfinished_file.h"
 #include "io/sdf/sdf_check.h"
 #include "io/sdf/sdf_elements.h"
 #include "io/sdf/sdf_file.h"
@@ -42,9 +49,8 @@ SdfSource::SdfSource(const fs::path& file, const SdfReading& reading, const std:
 }
 
 SdfSource::~SdfSource() {
-  if (!scratch_.empty()) {
-    std::error_code ignored;
-    fs::remove_all(scratch_, ignored);
+  for (const int file : copies_) {
+    close(file);
   }
 }
 
@@ -61,22 +67,24 @@ void SdfSource::want_meshes(MeshReadAhead& ahead) const {
   }
 }
 
+// A file in memory: nothing is left of it, however the process ends.
 std::string SdfSource::write_copy(const std::string& text, const std::string& original) {
-  if (scratch_.empty()) {
-    std::error_code failure;
-    const fs::path folder = fs::temp_directory_path(failure);
-    std::string name = folder / "insonify-sdf-XXXXXX";
-    if (failure || mkdtemp(name.data()) == nullptr) {
-      throw Error(fmt::format("{}: cannot be read: TMPDIR, or /tmp, is not a folder for a copy", shown(original)));
-    }
-    scratch_ = name;
+  int file = memfd_create("insonify-sdf", MFD_CLOEXEC);
+  if (file < 0 && errno == EMFILE) {  // A world may include more files than a shell allows at first.
+    rlimit limit{};
+    getrlimit(RLIMIT_NOFILE, &limit);
+    limit.rlim_cur = limit.rlim_max;
+    setrlimit(RLIMIT_NOFILE, &limit);
+    file = memfd_create("insonify-sdf", MFD_CLOEXEC);
   }
-  std::string copy = scratch_ / fmt::format("{}.sdf", originals_.size());
-  std::ofstream stream(copy, std::ios::binary);
-  stream << text;
-  if (!stream.flush()) {
-    throw Error(fmt::format("{}: the copy of an SDF file cannot be written", copy));
+  if (file >= 0) {
+    copies_.push_back(file);
   }
+  if (file < 0 || !write_at(file, 0, std::as_bytes(std::span(text)))) {
+    throw Error(
+        fmt::format("{}: cannot be copied in memory: {}", shown(original), std::generic_category().message(errno)));
+  }
+  std::string copy = fmt::format("/proc/self/fd/{}", file);
   originals_[copy] = original;
   return copy;
 }
@@ -207,6 +215,20 @@ std::size_t SdfSource::weight_of(pugi::xml_node element) const {
   return sum;
 }
 
+// libsdformat parses an included file each time that it is: 22 models that include each the next one twice, in 10 kB,
+// would be 4 million.
+// @param weight  Of what it reads at once.
+void SdfSource::check_weight(std::size_t weight, const std::string& name) const {
+  constexpr double kEach = 1e6, kShare = 3, kLeast = 2e9;  // [bytes]; of all memory; that every machine has [bytes].
+  const double bytes = kEach * static_cast<double>(weight), most = std::max(budget(Budget::kMemory) / kShare, kLeast);
+  if (bytes > most) {
+    throw Error(
+        fmt::format("{}: its models would take libsdformat some {:.3g} GB, more than {:.3g}; for a file that you "
+                    "trust: INSONIFY_LIMITS=memory={:.0f}",
+                    shown(name), bytes / 1e9, most / 1e9, bytes * kShare));
+  }
+}
+
 // Returns the path where libsdformat reads a portion. It reports lines there; those of a copy are found by parsing it.
 std::string SdfSource::make_readable(const SdfPortion& portion, const Source& source, const std::string& name,
                                      bool copied) {
@@ -245,6 +267,7 @@ std::optional<std::string> SdfSource::prepare(const std::string& name) {
   if (is_included) {
     const std::string file = make_readable(whole_sdf(root), source, name, changed);
     ready_[name] = {Ready::kDone, file, weight_of(root)};
+    check_weight(ready_[name].weight, name);
     includes_.push_back(file);
     return file;
   }
@@ -254,6 +277,7 @@ std::optional<std::string> SdfSource::prepare(const std::string& name) {
   const auto weight = [this](pugi::xml_node model) { return weight_of(model); };
   const std::vector<SdfPortion> portions = reading_.whole ? std::vector{whole_sdf(root)} : sdf_portions(root, weight);
   changed = changed || !twins_.twins.empty() || portions.size() > 1;
+  check_weight(portions.size() > 1 ? 0 : weight_of(root), name);
   for (const SdfPortion& portion : portions) {
     portions_.push_back(make_readable(portion, source, name, changed));
   }

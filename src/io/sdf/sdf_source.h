@@ -35,8 +35,9 @@ struct SdfReading {
 /// file, so every <include> is resolved here (sdf_uri.h). Elements without a shape (looks, lights, sensors, physics)
 /// are removed, so that their faults do not matter; so are includes of files with nothing but lights or actors. Several
 /// models at the root, of which libsdformat reads only one, are put into a world. A file that was changed is read from
-/// a copy in a scratch folder, which is removed with this object. place() maps the lines of a copy to those of the
-/// file. Worlds of many models are read in portions.
+/// a copy in memory (/proc/self/fd/9), which is gone with this object. place() maps the lines of a copy to those of the
+/// file.
+/// Worlds of many models are read in portions.
 class SdfSource {
  public:
   /// @param without  "path:line:column: " of elements that are left out for their faults.
@@ -44,7 +45,8 @@ class SdfSource {
   /// @param log      Receives warnings about versions other than 1.4 to 1.9, about actors, which are skipped, and about
   ///                 poses with too few numbers.
   /// The last three must outlive this object.
-  /// @throws Error for a file that is missing, not XML or not SDF, for files that include themselves, and for faults
+  /// @throws Error for a world that takes libsdformat more than Budget::kMemory allows, for a file that is missing, not
+  /// XML or not SDF, for files that include themselves, and for faults
   /// that check_sdf_element() finds.
   SdfSource(const std::filesystem::path& file, const SdfReading& reading, const std::set<std::string>& without,
             MissingParts& missing, const Log& log);
@@ -117,6 +119,7 @@ class SdfSource {
   };
   using Lines = std::multimap<int, pugi::xml_node>;
 
+  void check_weight(std::size_t weight, const std::string& name) const;
   [[nodiscard]] pugi::xml_node find(const std::string& path, int line, const std::string& element,
                                     const std::string& name) const;
   [[nodiscard]] pugi::xml_node any_at(const std::string& path, int line) const;
@@ -132,7 +135,7 @@ class SdfSource {
   std::string write_copy(const std::string& text, const std::string& original);
 
   std::filesystem::path file_;
-  std::filesystem::path scratch_;
+  std::vector<int> copies_;  // Open files.
   std::vector<std::string> includes_, portions_;
   std::map<std::string, std::string> originals_;            // copy -> original
   std::map<std::string, std::unique_ptr<Source>> sources_;  // by original

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <ranges>
 
 #include "io/sdf/sdf_source.h"
 
@@ -22,7 +23,7 @@ std::string SdfSource::shown(const std::string& path) const {
 
 // libsdformat writes "path:L16", or the path alone.
 std::string SdfSource::with_users_places(std::string text) const {
-  for (const auto& [copy, user] : originals_) {
+  for (const auto& [copy, user] : originals_ | std::views::reverse) {  // "fd/12" before "fd/1".
     for (std::size_t at = text.find(copy); at != std::string::npos; at = text.find(copy, at)) {
       const std::string_view rest = std::string_view(text).substr(at + copy.size());
       int line = 0;

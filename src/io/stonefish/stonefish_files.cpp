@@ -4,10 +4,10 @@
 
 #include <cstdlib>
 #include <pugixml.hpp>
-#include <sstream>
 #include <string_view>
 #include <vector>
 
+#include "io/file/scene_folders.h"
 #include "io/file/xml_file.h"
 
 namespace insonify {
@@ -23,18 +23,6 @@ std::vector<fs::path> folders_above(const fs::path& base) {
       return folders;
     }
   }
-}
-
-std::vector<fs::path> listed_in(const char* variable) {
-  std::vector<fs::path> folders;
-  const char* value = std::getenv(variable);
-  std::istringstream list(value == nullptr ? "" : value);
-  for (std::string entry; std::getline(list, entry, ':');) {
-    if (!entry.empty()) {
-      folders.push_back(fs::absolute(entry));
-    }
-  }
-  return folders;
 }
 
 fs::path without_tilde(const std::string& name) {
@@ -56,30 +44,50 @@ bool is_package(const fs::path& folder, const std::string& name) {
          xml_text(manifest.child("package").child("name")) == name;
 }
 
-}  // namespace
+// A file that a name leads to.
+struct Candidate {
+  fs::path path;
+  bool in_scene = false;  // Whether the scenario may name it.
+};
 
-std::optional<fs::path> find_stonefish_file(const std::string& name, const fs::path& base) {
-  std::vector<fs::path> folders;
-  for (const fs::path& folder : folders_above(base)) {
-    for (const char* inner : {"", "data", "Data", "resources"}) {
-      folders.push_back(*inner == '\0' ? folder : folder / inner);
-    }
-  }
-  for (const fs::path& folder : listed_in("INSONIFY_MODEL_PATH")) {
-    folders.push_back(folder);
-  }
+// Nearest first.
+std::vector<Candidate> candidates_of(const std::string& name, const fs::path& base) {
+  std::vector<Candidate> found;
   const fs::path path = without_tilde(name);  // An absolute one replaces whatever folder it is appended to.
-  for (const fs::path& folder : folders) {
+  const auto look_in = [&](const fs::path& folder, const fs::path& data) {
     std::error_code ignored;
     const fs::path candidate = (folder / path).lexically_normal();
     if (fs::exists(candidate, ignored) && !fs::is_directory(candidate, ignored)) {
-      return candidate;
+      found.push_back({candidate, is_in_scene(candidate, base, data)});
+    }
+  };
+  for (const fs::path& folder : folders_above(base)) {
+    look_in(folder, {});
+    for (const char* inner : {"data", "Data", "resources"}) {
+      look_in(folder / inner, folder == folder.root_path() ? fs::path() : folder / inner);
+    }
+  }
+  for (const fs::path& folder : folders_listed_in("INSONIFY_MODEL_PATH")) {
+    look_in(folder, {});
+  }
+  return found;
+}
+
+}  // namespace
+
+std::optional<fs::path> find_stonefish_file(const std::string& name, const fs::path& base) {
+  for (const auto& [path, in_scene] : candidates_of(name, base)) {
+    if (in_scene) {
+      return path;
     }
   }
   return std::nullopt;
 }
 
-std::string stonefish_file_not_found(const std::string& name) {
+std::string stonefish_file_not_found(const std::string& name, const fs::path& base) {
+  if (!candidates_of(name, base).empty()) {
+    return std::string(" ") + kOutsideScene;
+  }
   return without_tilde(name).is_absolute() ? " does not exist"
                                            : " not found in the scenario's folder, those above it, their folders data, "
                                              "Data and resources, or those of INSONIFY_MODEL_PATH";
@@ -94,10 +102,10 @@ std::optional<fs::path> find_ros_package(const std::string& name, const fs::path
     candidates.push_back(folder);
     candidates.push_back(folder / name);
   }
-  for (const fs::path& prefix : listed_in("AMENT_PREFIX_PATH")) {
+  for (const fs::path& prefix : folders_listed_in("AMENT_PREFIX_PATH")) {
     candidates.push_back(prefix / "share" / name);
   }
-  for (const fs::path& folder : listed_in("ROS_PACKAGE_PATH")) {
+  for (const fs::path& folder : folders_listed_in("ROS_PACKAGE_PATH")) {
     candidates.push_back(folder);
     candidates.push_back(folder / name);
   }

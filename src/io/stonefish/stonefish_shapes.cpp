@@ -13,6 +13,7 @@
 #include "insonify/files.h"
 #include "insonify/material.h"
 #include "insonify/printable.h"
+#include "io/grid/height_grid_file.h"
 #include "io/mesh/mesh_file.h"
 #include "io/stonefish/stonefish_files.h"
 
@@ -62,7 +63,7 @@ std::string found_file(const StonefishElement& body, const StonefishElement& ele
   const auto path = find_stonefish_file(name, element.path);
   if (!path) {
     throw UnreadablePart(fmt::format("{}: '{}'", body.what(), printable(name, kLongestName)),
-                         stonefish_file_not_found(name));
+                         stonefish_file_not_found(name, element.path));
   }
   return path->string();
 }
@@ -90,7 +91,7 @@ Mesh terrain_mesh(const std::string& path, double scale_x, double scale_y, doubl
   for (float& level : grid.heights) {
     level = static_cast<float>(static_cast<double>(level - low) * height);
   }
-  return make_height_field(grid);
+  return height_field_of(grid);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "insonify/printable.h"
 #include "io/file/missing_parts.h"
+#include "io/file/scene_folders.h"
 #include "io/stonefish/stonefish_bodies.h"
 #include "io/stonefish/stonefish_source.h"
 
@@ -167,6 +168,7 @@ class SonarList {
 
 StonefishSonars load_stonefish_sonars(const std::filesystem::path& path, bool on_vehicle,
                                       std::span<const std::string> arguments) {
+  const SceneFolders folders(path);
   MissingParts missing;
   const StonefishSource source(path, arguments, missing);
   const StonefishBodies bodies(source, missing);

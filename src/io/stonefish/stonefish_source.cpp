@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "insonify/printable.h"
+#include "io/file/budgets.h"
 #include "io/file/input_file.h"
 #include "io/stonefish/stonefish_files.h"
 
@@ -91,6 +92,8 @@ StonefishSource::StonefishSource(const fs::path& file, std::span<const std::stri
 
 void StonefishSource::read(const std::shared_ptr<const XmlFile>& file, const fs::path& path,
                            const Arguments& arguments) {
+  nodes_ += file->nodes();
+  check_budget(Budget::kNodes, nodes_, path.string());
   replace_in(*file, arguments, path);
   open_.insert(path);
   std::vector<StonefishElement> includes;
@@ -127,7 +130,7 @@ void StonefishSource::include(const StonefishElement& element) {
     part += fmt::format(" '{}'", printable(name, kLongestName));
     found = find_stonefish_file(name, element.path);
     if (!found) {
-      missing_.add(part, stonefish_file_not_found(name));
+      missing_.add(part, stonefish_file_not_found(name, element.path));
       return;
     }
     file = open_scenario(found->string());

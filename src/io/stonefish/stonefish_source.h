@@ -26,7 +26,7 @@ class StonefishSource {
   /// @param arguments  The user's: "px=8". The name of a parameter may be the last part of its path.
   /// @param missing    Receives included files that are missing or unreadable, which are skipped.
   /// @throws Error for a file that is missing, not XML or not a scenario, for one that includes itself, and for more
-  /// than the limits above.
+  /// than the limits above or Budget allows.
   StonefishSource(const std::filesystem::path& file, std::span<const std::string> arguments, MissingParts& missing);
 
   /// The elements inside <scenario>, those of included files after those of the file itself.
@@ -43,6 +43,7 @@ class StonefishSource {
   std::vector<StonefishElement> elements_;
   std::set<std::filesystem::path> open_;
   int included_ = 0;
+  double nodes_ = 0;  // Of all files, see XmlFile.
 };
 
 }  // namespace insonify

@@ -2,11 +2,9 @@
 
 #include "io/world/sdf_uri.h"
 
-#include <array>
-#include <cstdlib>
-#include <sstream>
 #include <vector>
 
+#include "io/file/scene_folders.h"
 #include "io/file/uri.h"
 #include "io/world/sdf_fuel.h"
 
@@ -14,9 +12,6 @@ namespace insonify {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::array kPathLists = {"INSONIFY_MODEL_PATH",      "SDF_PATH",          "GZ_SIM_RESOURCE_PATH",
-                                   "IGN_GAZEBO_RESOURCE_PATH", "GAZEBO_MODEL_PATH", "GAZEBO_RESOURCE_PATH"};
 
 struct Uri {
   std::string scheme;  // "" for a plain path
@@ -51,16 +46,33 @@ std::vector<fs::path> search_folders(const Uri& uri, const fs::path& base) {
       folders.push_back(folder / "models");
     }
   }
-  for (const char* variable : kPathLists) {
-    const char* value = std::getenv(variable);
-    std::istringstream list(value == nullptr ? "" : value);
-    for (std::string entry; std::getline(list, entry, ':');) {
-      if (!entry.empty()) {
-        folders.push_back(fs::absolute(entry));
+  for (const char* variable : model_path_variables()) {
+    const std::vector<fs::path> listed = folders_listed_in(variable);
+    folders.insert(folders.end(), listed.begin(), listed.end());
+  }
+  return folders;
+}
+
+// Calls visit(path, in_scene) for what a URI leads to, nearest first, if it exists: in_scene says whether the scene may
+// name it. Until visit returns true.
+template <typename Visit>
+void each_candidate(const Uri& uri, const fs::path& base, const Visit& visit) {
+  for (const std::string& text_of_path : {uri.path, percent_decoded(uri.path)}) {
+    // An absolute path replaces whatever folder it is appended to. After model:// nothing is absolute.
+    const fs::path path = names_model(uri) ? fs::path(text_of_path).relative_path() : fs::path(text_of_path);
+    for (const fs::path& folder : search_folders(uri, base)) {
+      std::error_code ignored;
+      const fs::path candidate = (folder / path).lexically_normal();
+      if (!fs::exists(candidate, ignored)) {
+        continue;
+      }
+      const fs::path model = names_model(uri) && !path.empty() ? folder / *path.begin() : fs::path();
+      const bool is_model = !model.empty() && is_model_folder(model);
+      if (visit(candidate, is_in_scene(candidate, base, is_model ? model : fs::path()))) {
+        return;
       }
     }
   }
-  return folders;
 }
 
 }  // namespace
@@ -75,21 +87,12 @@ std::optional<fs::path> find_sdf_uri(const std::string& text, const fs::path& ba
     return std::nullopt;
   }
   std::optional<fs::path> first;
-  for (const std::string& text_of_path : {uri.path, percent_decoded(uri.path)}) {
-    // An absolute path replaces whatever folder it is appended to. After model:// nothing is absolute.
-    const fs::path path = names_model(uri) ? fs::path(text_of_path).relative_path() : fs::path(text_of_path);
-    for (const fs::path& folder : search_folders(uri, base)) {
-      std::error_code ignored;
-      const fs::path candidate = (folder / path).lexically_normal();
-      if (!fs::exists(candidate, ignored)) {
-        continue;
-      }
-      if (!accepts || accepts(candidate)) {
-        return candidate;
-      }
-      first = first.value_or(candidate);
-    }
-  }
+  bool accepted = false;
+  each_candidate(uri, base, [&](const fs::path& path, bool in_scene) {
+    accepted = in_scene && (!accepts || accepts(path));
+    first = accepted || (in_scene && !first) ? path : first;
+    return accepted;
+  });
   return first;
 }
 
@@ -104,6 +107,11 @@ std::string sdf_uri_not_found(const std::string& text, const fs::path& base) {
   if (uri.path.empty()) {
     return "names nothing";
   }
+  bool exists = false;
+  each_candidate(uri, base, [&](const fs::path&, bool) { return exists = true; });
+  if (exists) {
+    return kOutsideScene;
+  }
   if (!names_model(uri) && fs::path(uri.path).is_absolute()) {
     return "does not exist";
   }
@@ -112,7 +120,7 @@ std::string sdf_uri_not_found(const std::string& text, const fs::path& base) {
     return "not made yet; this makes it: cmake --build build/release --target scene_meshes";
   }
   std::string lists;
-  for (const char* variable : kPathLists) {
+  for (const char* variable : model_path_variables()) {
     lists += lists.empty() ? variable : std::string(", ") + variable;
   }
   return "not found beside this file, in the folders above it or in those of " + lists;

@@ -15,7 +15,7 @@ namespace insonify {
 /// each folder above it (and in its `models`, for schemes), then in each folder of the path lists INSONIFY_MODEL_PATH,
 /// SDF_PATH, GZ_SIM_RESOURCE_PATH, IGN_GAZEBO_RESOURCE_PATH, GAZEBO_MODEL_PATH and GAZEBO_RESOURCE_PATH. "file://"
 /// takes a path, absolute or not. Paths may be percent-encoded. A URI of the Fuel server is looked for in its caches
-/// (sdf_fuel.h).
+/// (sdf_fuel.h). What the scene may not name (is_in_scene(), scene_folders.h) is passed over.
 /// @param base     The SDF file that holds the URI.
 /// @param accepts  Whether an existing path is the right one; the search continues past wrong ones. Empty:
 ///                 any is.

@@ -13,6 +13,7 @@
 #include "insonify/mesh.h"
 #include "insonify/printable.h"
 #include "io/file/input_file.h"
+#include "io/grid/height_grid_file.h"
 #include "io/mesh/mesh_file.h"
 #include "io/world/sdf_fuel.h"
 #include "io/world/sdf_uri.h"
@@ -218,7 +219,7 @@ PlacedMesh ShapeMaker::heightmap(const Shape& shape, const fs::path& base, const
   const auto make = [&] {
     HeightGrid grid = load_height_grid(path, log_);
     fit_heightmap(grid, size, picture, shape.sampling);
-    return make_height_field(grid);
+    return height_field_of(grid);
   };
   return {shared(key, [&] { return read_for(what, make); }).mesh, shape.position};
 }

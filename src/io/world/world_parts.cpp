@@ -14,6 +14,7 @@
 #include "insonify/printable.h"
 #include "io/file/missing_parts.h"
 #include "io/file/name_patterns.h"
+#include "io/file/scene_folders.h"
 #include "io/world/shape_maker.h"
 #include "io/world/water_shapes.h"
 
@@ -71,6 +72,7 @@ WorldParts& WorldParts::operator=(WorldParts&&) noexcept = default;
 
 Scene WorldParts::scene(std::span<const WorldPart> parts, const std::string& name) {
   State& state = *state_;
+  const SceneFolders anywhere(std::vector<std::string>{"/"});  // The running world is the user's own.
   Scene scene;
   MissingParts missing;
   std::set<std::string> names;

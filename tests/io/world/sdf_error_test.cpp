@@ -162,14 +162,6 @@ TEST_F(SdfErrorTest, GivesTheFirstOfSeveralFaultsAndCountsTheRest) {
             "scene.sdf:3:3: model 'm' has the name of the one of line 2");
 }
 
-TEST_F(SdfErrorTest, SaysWhenThereIsNoPlaceForCopies) {
-  setenv("TMPDIR", "/no/such/folder", 1);
-  const std::string message =
-      error_of("<sdf version='1.9'><world name='w'><light name='l' type='point'/></world></sdf>");
-  unsetenv("TMPDIR");
-  EXPECT_EQ(message, "scene.sdf: cannot be read: TMPDIR, or /tmp, is not a folder for a copy");
-}
-
 TEST_F(SdfErrorTest, SaysWhenThereIsNothingToInsonify) {
   const std::string shell = "<collision name='c'><geometry><box><size>1 2 3</size></box></geometry></collision>";
   const std::string plate = "<visual name='v'><geometry><box><size>1 2 3</size></box></geometry></visual>";

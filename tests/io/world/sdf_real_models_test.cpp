@@ -50,7 +50,9 @@ using SdfRealGridsTest = SdfTest;
 
 TEST_F(SdfRealGridsTest, AreHeightmaps) {
   INSONIFY_REAL_DATA(file, "bathymetry_bag/JD211_public_Release_1-4_UTM.bag");
+  setenv("INSONIFY_MODEL_PATH", file.parent_path().c_str(), 1);
   const Scene scene = load(sdf_of(fmt::format("<heightmap><uri>file://{}</uri></heightmap>", file.string())));
+  unsetenv("INSONIFY_MODEL_PATH");
   EXPECT_GT(scene.instances.at(0).mesh->triangles.size(), 1000);
 }
 

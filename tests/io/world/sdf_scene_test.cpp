@@ -285,14 +285,21 @@ TEST_F(SdfSceneTest, PrintsNothing) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
-TEST_F(SdfSceneTest, LeavesNoCopiesBehind) {
-  setenv("TMPDIR", folder.c_str(), 1);
-  write("models/ship/model.sdf", model_sdf("ship"));
-  load("<sdf version='1.9'><world name='w'><include><uri>model://ship</uri></include></world></sdf>");
-  unsetenv("TMPDIR");
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    EXPECT_FALSE(entry.path().filename().string().starts_with("insonify-sdf-")) << entry.path();
+TEST_F(SdfSceneTest, CopiesAreInMemoryOnly) {
+  setenv("TMPDIR", "/no/such/folder", 1);
+  std::string includes;
+  for (int i = 0; i < 20; ++i) {  // Names of copies begin as those of others do: "fd/1", "fd/12".
+    write(fmt::format("models/ship{}/model.sdf", i), model_sdf(fmt::format("ship{}", i), "", "1.6"));
+    includes += fmt::format("<include><uri>model://ship{}</uri></include>\n", i);
   }
+  const auto open_files = [] {
+    const std::filesystem::directory_iterator files("/proc/self/fd");
+    return std::distance(begin(files), end(files));
+  };
+  const auto before = open_files();
+  EXPECT_EQ(load("<sdf version='1.9'><world name='w'>" + includes + "</world></sdf>").instances.size(), 20U);
+  EXPECT_EQ(open_files(), before);
+  unsetenv("TMPDIR");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "io/world/sdf_uri.h"
 
+#include "io/file/scene_folders.h"
 #include "io/sdf_files.h"
 
 namespace insonify::sdf_uri_test {
@@ -10,6 +11,7 @@ namespace {
 class SdfUriTest : public SdfTest {
  protected:
   [[nodiscard]] std::string find(const std::string& uri, const std::string& base) const {
+    const SceneFolders scene(folder / "world.sdf");
     const auto found = find_sdf_uri(uri, folder / base);
     return found ? without_folder(found->string()) : "nothing";
   }

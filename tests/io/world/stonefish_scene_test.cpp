@@ -269,6 +269,28 @@ TEST_F(StonefishTest, FilesAreInDataFoldersAndPackages) {
   EXPECT_THAT(names_of(load("<include file='$(find buoys)/b.scn'/>")), ElementsAre("buoy"));
 }
 
+TEST_F(StonefishTest, FilesOutsideTheSceneAreLeftOut) {
+  write("out/buoy.scn", scenario(ball("buoy", "0 0 0")));
+  write("out/pyramid.obj", kPyramid);
+  std::filesystem::create_directories(scratch.path() / "in");
+  std::filesystem::create_symlink("../out/buoy.scn", scratch.path() / "in/link.scn");
+  const std::string outside = " lies outside of the scene's folder and of those that INSONIFY_MODEL_PATH names";
+  const std::string whole = (scratch.path() / "out/buoy.scn").string();
+  for (const std::string& name : {std::string("../out/buoy.scn"), std::string("out/buoy.scn"), std::string("link.scn"),
+                                  std::string("$(find out)/buoy.scn"), whole}) {
+    const std::string file = write("in/w.scn", scenario("<include file='" + name + "'/>" + ball("a", "0 0 0")));
+    EXPECT_THAT(names_of(load_file(file)), ElementsAre("a")) << name;
+    EXPECT_THAT(said[0], HasSubstr(".scn'" + outside)) << name;
+  }
+  const std::string model =
+      write("in/m.scn", scenario("<static name='m' type='model'>" + mesh("physical", "../out/pyramid.obj") +
+                                 transform("world_transform", "0 0 0") + "</static>" + ball("a", "0 0 0")));
+  EXPECT_THAT(names_of(load_file(model)), ElementsAre("a"));
+  EXPECT_THAT(said[0], HasSubstr("static 'm': '../out/pyramid.obj'" + outside));
+  setenv("INSONIFY_MODEL_PATH", (scratch.path() / "out").c_str(), 1);
+  EXPECT_THAT(names_of(load_file(model)), ElementsAre("m", "a"));
+}
+
 TEST_F(StonefishTest, WhatIsMissingIsLeftOut) {
   const std::string broken =
       "<include file='$(find nowhere)/robot.scn'/>\n<include file='gone.scn'/>\n<static name='m' type='model'>" +
