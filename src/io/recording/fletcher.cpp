@@ -1,9 +1,8 @@
-// fletcher.cpp -- Fletcher's checksum in lanes that a compiler turns into vector instructions.
+// fletcher.cpp -- Fletcher's checksum in lanes of vectors.
 
 #include "io/recording/fletcher.h"
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 
 namespace insonify {
@@ -12,6 +11,10 @@ namespace {
 constexpr std::uint64_t kModulus = 65535;
 constexpr std::size_t kLanes = 16;  // Word i of a block belongs to lane i % kLanes.
 constexpr std::size_t kRows = 360;  // Of a block: with more, the second sum of a lane may exceed 32 bits.
+
+// Vectors of the compiler, which it keeps in registers.
+using Words = std::uint16_t __attribute__((vector_size(2 * kLanes)));
+using Lanes = std::uint32_t __attribute__((vector_size(4 * kLanes)));
 
 // Sums modulo 65535 of words in the machine's order. Swapping the bytes of a word multiplies it by 256 modulo 65535, so
 // the sums of swapped words are 256 times these.
@@ -22,14 +25,12 @@ struct Sums {
   // Adds rows of kLanes words. With w the word in row t and lane j of n rows, there come kLanes (n - t) - j second sums
   // from it on, itself included; lane j has summed (n - t) w.
   void add(const std::byte* bytes, std::size_t rows) {
-    std::array<std::uint32_t, kLanes> once{}, often{};
+    Lanes once{}, often{};
     for (std::size_t t = 0; t < rows; ++t) {
-      std::array<std::uint16_t, kLanes> words;
-      std::memcpy(words.data(), bytes + t * sizeof words, sizeof words);
-      for (std::size_t j = 0; j < kLanes; ++j) {
-        once[j] += words[j];
-        often[j] += once[j];
-      }
+      Words words;
+      std::memcpy(&words, bytes + t * sizeof words, sizeof words);
+      once += __builtin_convertvector(words, Lanes);
+      often += once;
     }
     std::uint64_t sum = 0, sum_of_often = 0, sum_by_lane = 0;
     for (std::size_t j = 0; j < kLanes; ++j) {
