@@ -42,3 +42,16 @@ else()
   message(STATUS "Embree ${embree_VERSION}")
   message(STATUS "Left out: SDF files (they need sdformat 14, 13 or 12; Debian, Ubuntu: libsdformat-dev)")
 endif()
+
+# GDAL, by which GeoTIFF is read, is opened at the first such file, so only its headers and the name of its library are
+# needed here.
+find_path(GDAL_INCLUDE_DIR gdal.h PATH_SUFFIXES gdal)
+find_library(GDAL_LIBRARY gdal)
+mark_as_advanced(GDAL_INCLUDE_DIR GDAL_LIBRARY)
+if(GDAL_INCLUDE_DIR AND GDAL_LIBRARY)
+  file(REAL_PATH ${GDAL_LIBRARY} gdal_file)
+  string(REGEX MATCH "libgdal\\.so\\.[0-9]+" INSONIFY_GDAL_LIBRARY ${gdal_file})
+endif()
+if(NOT INSONIFY_GDAL_LIBRARY)
+  message(STATUS "Left out: GeoTIFF (it needs GDAL; Debian, Ubuntu: libgdal-dev)")
+endif()

@@ -76,7 +76,6 @@ namespace {
 
 Scene load_any(const std::filesystem::path& path, const WorldOptions& options, const Log& log) {
   static const std::set<std::string> kSdf = {".sdf", ".world", ".xml"};
-  static const std::set<std::string> kHeights = {".asc", ".bag", ".png", ".tif", ".tiff"};
   static const std::set<std::string> kMeshesToConvert = {".osgb", ".osg", ".osgt", ".ive"};
   const std::string ending = ending_of(path);
   if (kSdf.contains(ending)) {
@@ -85,7 +84,7 @@ Scene load_any(const std::filesystem::path& path, const WorldOptions& options, c
   if (ending == ".scn") {
     return load_stonefish_scene(path, options, log);
   }
-  if (kHeights.contains(ending)) {
+  if (is_height_grid_file(path)) {
     return scene_of(path, height_field_of(load_height_grid(path, log)));
   }
   if (is_mesh_file(path) || kMeshesToConvert.contains(ending)) {
@@ -97,8 +96,8 @@ Scene load_any(const std::filesystem::path& path, const WorldOptions& options, c
   }
   throw Error(
       fmt::format("{}: is not a world: SDF ends in .sdf, .world or .xml, a Stonefish scenario in .scn, a mesh in {}, "
-                  "heights in .asc, .bag or .png",
-                  path.string(), mesh_file_endings()));
+                  "heights in {}",
+                  path.string(), mesh_file_endings(), height_grid_file_endings()));
 }
 
 }  // namespace

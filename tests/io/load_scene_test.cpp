@@ -58,7 +58,7 @@ TEST_F(LoadSceneTest, RefusesOtherEndings) {
   EXPECT_EQ(error_of_file(write("wreck.blend", "?")),
             "wreck.blend: is not a world: SDF ends in .sdf, .world or .xml, a Stonefish scenario in .scn, a mesh in "
             ".obj, .stl, .dae, .ply, .gltf, .glb, "
-            "heights in .asc, .bag or .png");
+            "heights in .png, .asc, .bag, .tif, .tiff");
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ namespace insonify {
 // costs: docs/design/reader.md.
 
 /// What the program insonify-read can be asked (src/io/reader/main.cpp).
-enum class ReaderTask : std::uint32_t { kMesh, kPicture, kGrey, kBag, kRecording, kSettings, kRow, kBlock };
+enum class ReaderTask : std::uint32_t { kMesh, kPicture, kGrey, kBag, kTiff, kRecording, kSettings, kRow, kBlock };
 
 /// A file of a stranger, for messages.
 struct StrangersFile {

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <tuple>
@@ -15,7 +16,7 @@ namespace insonify {
 /// Whether the file name ends as that of a height grid does.
 [[nodiscard]] bool is_height_grid_file(const std::filesystem::path& path);
 
-/// Endings of height grids for messages: ".png, .asc, .bag".
+/// Endings of height grids for messages: ".png, .asc, .bag, .tif, .tiff".
 [[nodiscard]] std::string height_grid_file_endings();
 
 /// make_height_field() of a grid that was read.
@@ -25,6 +26,7 @@ namespace insonify {
 // One reader a format; see load_height_grid.
 [[nodiscard]] HeightGrid load_asc_grid(const std::filesystem::path& path, const Log& log);
 [[nodiscard]] HeightGrid load_bag_grid(const std::filesystem::path& path, const Log& log);
+[[nodiscard]] HeightGrid load_tiff_grid(const std::filesystem::path& path, const Log& log);
 
 /// What a BAG file holds; the first row is the southernmost.
 struct BagContents {
@@ -42,6 +44,35 @@ requires(std::is_same_v<std::remove_const_t<Bag>, BagContents>) [[nodiscard]] au
 /// Reads it by HDF5.
 /// @throws Error with the path.
 [[nodiscard]] BagContents read_bag(const std::filesystem::path& path);
+
+/// What a GeoTIFF holds, as GDAL reads it.
+struct TiffContents {
+  std::uint64_t rows = 0, columns = 0, bands = 0;
+  std::vector<float> heights;                       ///< rows x columns of the first band, as stored.
+  double scale = 1, offset = 0, height_metres = 1;  ///< Height: (scale stored + offset) height_metres [m].
+  bool has_hole = false;
+  float hole = 0;          ///< Stored value that means no data.
+  bool has_place = false;  ///< Whether world_from_pixel is known.
+  std::array<double, 6> world_from_pixel = {0, 1, 0,
+                                            0, 0, 1};  ///< x = [0] + [1] column + [2] row, y likewise; (0, 0) is
+                                                       ///< a corner of the first pixel.
+  bool is_geographic = false, is_projected = false;    ///< Both false where the file does not say.
+  double metres = 1;                                   ///< Unit of x and y, where projected [m].
+};
+template <typename Tiff>
+requires(std::is_same_v<std::remove_const_t<Tiff>, TiffContents>) [[nodiscard]] auto members(Tiff& tiff) {
+  return std::tie(tiff.rows, tiff.columns, tiff.bands, tiff.heights, tiff.scale, tiff.offset, tiff.height_metres,
+                  tiff.has_hole, tiff.hole, tiff.has_place, tiff.world_from_pixel, tiff.is_geographic,
+                  tiff.is_projected, tiff.metres);
+}
+[[nodiscard]] bool fits(const TiffContents& tiff);
+
+/// Reads it by GDAL.
+/// @throws Error with the path; in builds without GDAL always.
+[[nodiscard]] TiffContents read_tiff(const std::filesystem::path& path);
+
+/// The end of a message about a GeoTIFF that cannot be read: ", or convert it: gdal_translate ...".
+[[nodiscard]] std::string or_convert(const std::filesystem::path& path);
 
 /// Length of one degree on the WGS 84 ellipsoid.
 struct DegreeLength {

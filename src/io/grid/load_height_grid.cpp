@@ -18,7 +18,7 @@
 namespace insonify {
 namespace {
 
-constexpr std::array<std::string_view, 3> kEndings{".png", ".asc", ".bag"};
+constexpr std::array<std::string_view, 5> kEndings{".png", ".asc", ".bag", ".tif", ".tiff"};
 
 // Grey pictures as heights from 0 to 1.
 HeightGrid load_png_grid(const std::filesystem::path& path) {
@@ -53,8 +53,7 @@ HeightGrid load_by_ending(const std::filesystem::path& path, const Log& log) {
     return load_bag_grid(path, log);
   }
   if (ending == ".tif" || ending == ".tiff") {
-    throw Error(fmt::format("{0}: TIFF is not read; convert it: gdal_translate -of AAIGrid {1} {2}.asc", path.string(),
-                            path.filename().string(), path.stem().string()));
+    return load_tiff_grid(path, log);
   }
   throw Error(fmt::format("{}: \"{}\" is not a known extension of a height grid; known: {}", path.string(),
                           path.extension().string(), height_grid_file_endings()));

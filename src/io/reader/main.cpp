@@ -134,6 +134,8 @@ void answer(ReaderTask task, const std::string& path, OpenRecording& recording, 
       return put(result, decode_grey(path, next<std::string>(arguments)));
     case ReaderTask::kBag:
       return put(result, read_bag(path));
+    case ReaderTask::kTiff:
+      return put(result, read_tiff(path));
     case ReaderTask::kRecording:
       return put(result, text_of(opened(recording, path, next<std::string>(arguments)).summary()));
     case ReaderTask::kSettings:
