@@ -37,12 +37,37 @@ double area_of(const ThinParts& parts) {
   return sum;
 }
 
-TEST(ThinPartsTest, BoxesPlatesAndBallsAreNotThin) {
+TEST(ThinPartsTest, BoxesPlatesAndLargeBodiesAreNotThin) {
   EXPECT_TRUE(parts_of(scene_of(make_box({0.3, 0.3, 0.3}))).pieces.empty());
   EXPECT_TRUE(parts_of(scene_of(make_box({0.02, 1, 1}))).pieces.empty());
-  EXPECT_TRUE(parts_of(scene_of(make_sphere(0.1, 0.2))).pieces.empty());
+  EXPECT_TRUE(parts_of(scene_of(make_sphere(0.55, 0.2))).pieces.empty());
+  EXPECT_TRUE(parts_of(scene_of(make_cylinder(0.6, 4, 0.2))).pieces.empty());
   EXPECT_TRUE(parts_of(scene_of(make_plane(Vec3::UnitZ(), 0.02, 5))).pieces.empty());
   EXPECT_EQ(parts_of(scene_of(make_box({0.3, 0.3, 0.3}))).triangles, nullptr);
+}
+
+// 4 pi a^2, also with something 9 km away, which makes coordinates coarser: 0.5 mm.
+TEST(ThinPartsTest, ARoundBodyIsOnePiece) {
+  for (const float radius : {0.019F, 0.1F, 0.45F}) {
+    Scene scene = scene_of(make_sphere(radius, 0.13), {.position = {25, 0, 0}});
+    scene.instances.push_back(scene_of(make_plane(Vec3::UnitX(), 1, 1), {.position = {0, 9000, 0}}).instances[0]);
+    const ThinParts parts = parts_of(scene);
+    ASSERT_EQ(parts.pieces.size(), 1U) << radius;
+    EXPECT_NEAR(area_of(parts), 4 * std::numbers::pi * radius * radius, 0.01 * 4 * std::numbers::pi * radius * radius);
+    EXPECT_NEAR(parts.pieces[0].middle.norm(), 0, 1e-3);
+    EXPECT_NEAR(parts.pieces[0].thickness / (2 * radius), 1.09, 0.1);  // Rounded up to fourths of an octave.
+  }
+}
+
+// Where a surface is round it may be thicker than where it is flat: a pole of 0.5 m, without its ends.
+TEST(ThinPartsTest, APoleIsCutAlongItsAxis) {
+  const ThinParts parts =
+      parts_of(scene_of(make_cylinder(0.25, 5, 0.3), {.orientation = orientation_from_rpy(1, 0.3, 0)}));
+  EXPECT_NEAR(area_of(parts), 2 * std::numbers::pi * 0.25 * 5, 0.03 * 2 * std::numbers::pi * 0.25 * 5);
+  EXPECT_EQ(parts.pieces.size(), 4U);
+  for (const ThinParts::Piece& piece : parts.pieces) {
+    EXPECT_NEAR(piece.middle.head<2>().norm(), 0, 1e-3);
+  }
 }
 
 // The side of a rod, without its ends: 2 pi a l, less what a polygon of 21 sides lacks, 0.4 %.

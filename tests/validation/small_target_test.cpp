@@ -37,22 +37,8 @@ Material shiny(double slope, double lambert_db = -200) {
   return material;
 }
 
-// Echo of a ball by quadrature over the angle t from the axis, a = radius: the ring of area 2 pi a^2 sin t dt lies at
-// r^2 = R^2 + a^2 - 2 R a cos t, and meets the sound at the cosine (R cos t - a) / r.
-double ball_intensity(double radius, double distance, double slope, double lambert_db) {
-  constexpr int kSteps = 20000;
-  double sum = 0;
-  for (int i = 0; i < kSteps; ++i) {
-    const double t = 0.5 * kPi * (i + 0.5) / kSteps;
-    const double square = distance * distance + radius * radius - 2 * distance * radius * std::cos(t);
-    const double cosine = (distance * std::cos(t) - radius) / std::sqrt(square);
-    sum += backscatter(cosine, slope, std::pow(10, lambert_db / 10)) / (square * square) * std::sin(t);
-  }
-  return sum * 2 * kPi * radius * radius * 0.5 * kPi / kSteps;
-}
-
-// The same of the side of a cylinder, whose axis passes through the axis of the sonar at `distance` and is tilted by
-// `tilt` towards it, and of the end that faces the sonar.
+// Echo, by quadrature, of the side of a cylinder whose axis passes through the axis of the sonar at `distance` and is
+// tilted by `tilt` towards it, and of the end that faces the sonar.
 double cylinder_intensity(double radius, double length, double distance, double tilt, double slope, double lambert_db) {
   constexpr int kAround = 4000, kAlong = 2000;
   const Vec3 axis(-std::sin(tilt), 0, std::cos(tilt)), out(-std::cos(tilt), 0, -std::sin(tilt)), side(0, 1, 0);

@@ -58,4 +58,18 @@ inline double backscatter(double cosine, double slope, double lambert) {
                                 std::exp(-tangent_square / (2 * slope * slope));
 }
 
+/// Echo of a ball by quadrature over the angle t from the axis, a = radius: the ring of area 2 pi a^2 sin t dt lies at
+/// r^2 = R^2 + a^2 - 2 R a cos t, and meets the sound at the cosine (R cos t - a) / r.
+inline double ball_intensity(double radius, double distance, double slope, double lambert_db) {
+  constexpr int kSteps = 20000;
+  double sum = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    const double t = 0.5 * kPi * (i + 0.5) / kSteps;
+    const double square = distance * distance + radius * radius - 2 * distance * radius * std::cos(t);
+    const double cosine = (distance * std::cos(t) - radius) / std::sqrt(square);
+    sum += backscatter(cosine, slope, std::pow(10, lambert_db / 10)) / (square * square) * std::sin(t);
+  }
+  return sum * 2 * kPi * radius * radius * 0.5 * kPi / kSteps;
+}
+
 }  // namespace insonify::validation

@@ -1,22 +1,19 @@
-// cut_thin_triangles.cpp -- cuts thin parts into short pieces along their axes, and bins each piece's area by normal.
+// cut_thin_triangles.cpp -- cuts thin parts into short pieces along their axes.
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
-#include <unordered_map>
 
-#include "echo/laws/laws.h"
+#include "echo/targets/piece_maker.h"
 #include "echo/targets/thin_parts.h"
 
 namespace insonify {
 namespace {
 
-constexpr int kWidest = 6;            // Largest extent of a piece across its axis, from its first cell [cells].
-constexpr float kTurnStep = 0.2618F;  // Spacing of the normals of curved surfaces' bins: 15 degrees [rad].
-constexpr float kFineTurn = 0.13F;    // Largest change of the normal within a facet [rad].
-constexpr float kFlat = 1e-3F;        // Differences of unit normals below this are rounding.
+constexpr int kWidest = 6;          // Largest extent of a piece across its axis, from its first cell [cells].
+constexpr float kFineTurn = 0.13F;  // Largest change of the normal within a facet [rad].
+constexpr float kFlat = 1e-3F;      // Differences of unit normals below this are rounding.
 
 struct Vertex {
   Vec3f place, normal;
@@ -24,14 +21,6 @@ struct Vertex {
 Vertex between(const Vertex& a, const Vertex& b, float share) {
   return {a.place + share * (b.place - a.place), a.normal + share * (b.normal - a.normal)};
 }
-
-// A small part of the surface with nearly constant normal.
-struct Facet {
-  Vec3f middle, normal;
-  float area;
-  Eigen::Matrix3f spread;  // Covariance of its points [m^2].
-  bool curved;
-};
 
 // Part of a convex polygon on one side of the plane x[along] = at; `side` is +1 for above, -1 for below.
 std::vector<Vertex> clipped(const std::vector<Vertex>& polygon, int along, float at, float side) {
@@ -80,9 +69,11 @@ void divide(const std::array<Vertex, 3>& corners, bool curved, int depth, const 
   }
 }
 
-// Key of a cell: a box of the mesh frame, one thickness wide across the axis and one slab long along it.
+// Key of a cell: a box of the mesh frame, one thickness wide across the axis and one slab long along it; or a compact
+// body.
 struct CellKey {
   SurfaceLabel surface;
+  int body;       // ThinTriangle::body
   int along;      // Coordinate of the axis: 0, 1 or 2.
   int thickness;  // In quarter octaves above 1 mm.
   std::array<int, 3> cell;
@@ -93,7 +84,27 @@ struct Cell {
   std::vector<Facet> facets;
   bool taken = false;
 };
-using Cells = std::map<CellKey, Cell>;
+
+class Cells {
+ public:
+  // Neighbouring facets mostly fall into one cell.
+  void add(const CellKey& key, const Facet& facet) {
+    if (last_ == nullptr || last_->first != key) {
+      last_ = &*cells_.try_emplace(key).first;
+    }
+    last_->second.facets.push_back(facet);
+  }
+  [[nodiscard]] std::size_t size() const { return cells_.size(); }
+  [[nodiscard]] auto begin() const { return cells_.begin(); }
+  [[nodiscard]] auto end() const { return cells_.end(); }
+
+  // Flood fill: moves the facets of a cell, and of all cells connected with it in the same slab, to `facets`.
+  void take(const CellKey& seed, const CellKey& key, std::vector<Facet>& facets);
+
+ private:
+  std::map<CellKey, Cell> cells_;
+  std::pair<const CellKey, Cell>* last_ = nullptr;
+};
 
 // The slabs along its axis that a triangle reaches into, numbered from the mesh's origin.
 struct Slabs {
@@ -103,6 +114,9 @@ struct Slabs {
   static Slabs of(const Mesh& mesh, const ThinTriangle& thin, float slab_length) {
     const auto& vertices = mesh.triangles[thin.triangle];
     const float length = slab_length * thin.thickness;
+    if (thin.body >= 0) {
+      return {length, 0, 0};
+    }
     float low = mesh.vertices[vertices[0]][thin.along], high = low;
     for (const std::uint32_t vertex : vertices) {
       low = std::min(low, mesh.vertices[vertex][thin.along]);
@@ -123,27 +137,30 @@ void add_triangle(const Instance& instance, int index, const ThinTriangle& thin,
     turn = std::max(turn, (triangle.back().normal - triangle.front().normal).norm());
   }
   CellKey key{surface_label(static_cast<std::uint16_t>(index), instance.materials[mesh.slot_of(thin.triangle)]),
-              thin.along,
+              thin.body,
+              thin.body >= 0 ? 0 : thin.along,
               static_cast<int>(std::lround(4 * std::log2(thin.thickness / 1e-3F))),
               {}};
   for (int i = slabs.first; i <= slabs.last; ++i) {
-    const std::vector<Vertex> above = clipped(triangle, thin.along, slabs.length * static_cast<float>(i), 1);
-    const std::vector<Vertex> polygon = clipped(above, thin.along, slabs.length * static_cast<float>(i + 1), -1);
+    std::vector<Vertex> polygon = triangle;
+    if (thin.body < 0) {
+      polygon = clipped(polygon, thin.along, slabs.length * static_cast<float>(i), 1);
+      polygon = clipped(polygon, thin.along, slabs.length * static_cast<float>(i + 1), -1);
+    }
     for (std::size_t k = 2; k < polygon.size(); ++k) {
       divide({polygon[0], polygon[k - 1], polygon[k]}, turn > kFlat, 0, [&](const Facet& facet) {
-        for (int d = 0; d < 3; ++d) {
+        for (int d = 0; d < 3 && thin.body < 0; ++d) {
           key.cell[d] = d == thin.along ? i : static_cast<int>(std::floor(facet.middle[d] / thin.thickness));
         }
-        cells[key].facets.push_back(facet);
+        cells.add(key, facet);
       });
     }
   }
 }
 
-// Flood fill: moves the facets of a cell, and of all cells connected with it in the same slab, to `facets`.
-void take(const CellKey& seed, const CellKey& key, Cells& cells, std::vector<Facet>& facets) {
-  const auto found = cells.find(key);
-  if (found == cells.end() || found->second.taken) {
+void Cells::take(const CellKey& seed, const CellKey& key, std::vector<Facet>& facets) {
+  const auto found = cells_.find(key);
+  if (found == cells_.end() || found->second.taken) {
     return;
   }
   found->second.taken = true;
@@ -156,109 +173,11 @@ void take(const CellKey& seed, const CellKey& key, Cells& cells, std::vector<Fac
       next.cell[two] += j;
       if (std::abs(next.cell[one] - seed.cell[one]) <= kWidest &&
           std::abs(next.cell[two] - seed.cell[two]) <= kWidest) {
-        take(seed, next, cells, facets);
+        take(seed, next, facets);
       }
     }
   }
 }
-
-// Sums over the facets of one bin of normals, weighted by area.
-struct Sorted {
-  float area = 0;
-  float along = 0, along_square = 0;  // Angle between normal and cross section [rad], and its square.
-  Vec3f normal = Vec3f::Zero(), place = Vec3f::Zero();
-};
-
-// Computes middle, axis and patches of a piece from its facets.
-class PieceMaker {
- public:
-  explicit PieceMaker(const std::vector<Facet>& facets) {
-    for (const Facet& facet : facets) {
-      area_ += facet.area;
-      middle_ += facet.area * facet.middle;
-    }
-    middle_ /= area_;
-    Eigen::Matrix3f covariance = Eigen::Matrix3f::Zero();
-    for (const Facet& facet : facets) {
-      const Vec3f from = facet.middle - middle_;
-      covariance += facet.area / area_ * (from * from.transpose() + facet.spread);
-    }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver(covariance);
-    axis_ = solver.eigenvectors().col(2).normalized();
-    // A straight piece of length l has a variance of l^2 / 12 along its axis.
-    constexpr float kLong = 2;
-    const Vec3f& variance = solver.eigenvalues();
-    half_ = variance[2] > kLong * variance[1] ? Vec3f(std::sqrt(3 * variance[2]) * axis_) : Vec3f(Vec3f::Zero());
-    one_ = axis_.unitOrthogonal();
-    two_ = axis_.cross(one_);
-    for (const Facet& facet : facets) {
-      sort(facet);
-    }
-  }
-
-  [[nodiscard]] const Vec3f& middle() const { return middle_; }
-  [[nodiscard]] const Vec3f& half() const { return half_; }
-
-  void add_patches(std::vector<ThinParts::Patch>& patches) const {
-    for (const auto& [key, sum] : sorted_) {
-      const auto [kind, around, along] = key;
-      ThinParts::Patch patch{};
-      patch.area = sum.area;
-      const Vec3f from = sum.place / sum.area - middle_;
-      patch.offset = from - (half_.isZero() ? 0.0F : from.dot(axis_)) * axis_;
-      if (kind == 0) {
-        patch.normal = sum.normal.normalized();
-        patch.around = patch.along = Vec3f::Zero();
-      } else {
-        const float angle = kTurnStep * static_cast<float>(around), rise = sum.along / sum.area;
-        const Vec3f out = std::cos(angle) * one_ + std::sin(angle) * two_;
-        patch.normal = std::cos(rise) * out + std::sin(rise) * axis_;
-        patch.around = kTurnStep * std::cos(rise) * (std::cos(angle) * two_ - std::sin(angle) * one_);
-        // Along the axis a bin is uniform: its variance w^2/12 is half the w^2/6 of the triangular bins around the
-        // axis.
-        const float variance = std::max(sum.along_square / sum.area - rise * rise, 0.0F);
-        const float turn = variance < kFlat * kFlat ? 0.0F : std::sqrt(2 * variance / kFootprintVariance);
-        patch.along = turn * (std::cos(rise) * axis_ - std::sin(rise) * out);
-      }
-      patches.push_back(patch);
-    }
-  }
-
- private:
-  void add(const std::array<int, 3>& key, const Facet& facet, float share, float rise) {
-    Sorted& sum = sorted_[key];
-    const float area = share * facet.area;
-    sum.area += area;
-    sum.along += area * rise;
-    sum.along_square += area * rise * rise;
-    sum.normal += area * facet.normal;
-    sum.place += area * facet.middle;
-  }
-
-  // Flat facets are binned by their normal. The area of a curved one is shared between the two nearest of the evenly
-  // spaced normals around the axis (linear interpolation), so that a round rod's echo does not depend on its roll.
-  void sort(const Facet& facet) {
-    constexpr float kFlatTurn = 0.01F;
-    if (!facet.curved) {
-      const Vec3f rounded = facet.normal / kFlatTurn;
-      const auto x = static_cast<int>(std::lround(rounded.x())), y = static_cast<int>(std::lround(rounded.y())),
-                 z = static_cast<int>(std::lround(rounded.z()));
-      add({0, x * 512 + y, z}, facet, 1, 0);
-      return;
-    }
-    constexpr int kAround = 24;
-    const float rise = std::asin(std::clamp(facet.normal.dot(axis_), -1.0F, 1.0F));
-    const float angle = std::atan2(facet.normal.dot(two_), facet.normal.dot(one_)) / kTurnStep + kAround;
-    const int below = static_cast<int>(angle), along = static_cast<int>(std::lround(rise / kTurnStep));
-    const float share = angle - static_cast<float>(below);
-    add({1, below % kAround, along}, facet, 1 - share, rise);
-    add({1, (below + 1) % kAround, along}, facet, share, rise);
-  }
-
-  float area_ = 0;
-  Vec3f middle_ = Vec3f::Zero(), half_, axis_, one_, two_;
-  std::map<std::array<int, 3>, Sorted> sorted_;
-};
 
 }  // namespace
 
@@ -283,7 +202,7 @@ bool cut_thin_triangles(const Instance& instance, int index, const std::vector<T
   std::vector<Facet> facets;
   for (const auto& [key, cell] : cells) {
     facets.clear();
-    take(key, key, cells, facets);
+    cells.take(key, key, facets);
     if (facets.empty()) {
       continue;
     }

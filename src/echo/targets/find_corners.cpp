@@ -14,6 +14,7 @@
 namespace insonify {
 namespace {
 
+constexpr std::size_t kFew = 32;  // Triangles of a mirror that are tried one by one, without the tree.
 constexpr double kMargin = 1e-5;  // Enlarges triangles on each side, so that rays along a shared side hit one [m].
 
 // Parameters at which a ray from the apex enters and leaves a triangle; first > second if it misses. All in coordinates
@@ -98,19 +99,25 @@ class Quarter {
   void find_parts(const Eigen::Vector2d& ray, double limit, const MirrorTree& tree,
                   std::vector<std::pair<double, double>>& parts) const {
     parts.clear();
-    tree.visit([&](const MirrorBox& box) { return meets(ray, limit, box); },
-               [&](const MirrorTree::Item& item) {
-                 if (item.mirror != number_) {
-                   return;
-                 }
-                 const auto flat = [&](int k) -> Eigen::Vector2d {
-                   const Vec3 place = mirror_->triangles[item.triangle].corners[k] - apex_;
-                   return {place.dot(one_), place.dot(two_)};
-                 };
-                 if (const auto part = within({flat(0), flat(1), flat(2)}, ray); part.first < part.second) {
-                   parts.push_back(part);
-                 }
-               });
+    const auto add = [&](const PlaneMirror::Triangle& triangle) {
+      const auto flat = [&](int k) -> Eigen::Vector2d {
+        const Vec3 place = triangle.corners[k] - apex_;
+        return {place.dot(one_), place.dot(two_)};
+      };
+      if (const auto part = within({flat(0), flat(1), flat(2)}, ray); part.first < part.second) {
+        parts.push_back(part);
+      }
+    };
+    if (mirror_->triangles.size() <= kFew) {
+      std::ranges::for_each(mirror_->triangles, add);
+    } else {
+      tree.visit([&](const MirrorBox& box) { return meets(ray, limit, box); },
+                 [&](const MirrorTree::Item& item) {
+                   if (item.mirror == number_) {
+                     add(mirror_->triangles[item.triangle]);
+                   }
+                 });
+    }
     std::ranges::sort(parts);
   }
 

@@ -13,8 +13,11 @@ namespace {
 constexpr float kThinnest = 1e-4F;  // Rays start this far from a surface [m].
 constexpr int kAcross =
     8;  // Directions across the normal in which the extent is measured; the least is at most 2 % too large.
-constexpr int kOthers = 3;       // Most surfaces of other instances that a ray passes.
-constexpr double kWidest = 1.5;  // Triangles of greater altitude than this, in kThickest, are not sides of thin parts.
+constexpr int kOthers = 3;  // Most surfaces of other instances that a ray passes.
+constexpr double kWidest =
+    1.5;                        // Triangles of greater altitude than this, in Wall::reach, are not sides of thin parts.
+constexpr double kRound = 1;    // Least change of the normal of a round surface over the body's depth [rad].
+constexpr float kFlat = 1e-3F;  // Differences of unit normals below this are rounding.
 constexpr float kShortest = 3,
                 kLongest = 24;           // Length of pieces [thicknesses]: doubled until they are at most kMostPieces.
 constexpr std::size_t kTogether = 4096;  // Triangles measured together.
@@ -23,6 +26,19 @@ constexpr std::size_t kTogether = 4096;  // Triangles measured together.
 struct Wall {
   std::uint32_t triangle;
   Vec3 middle, normal;  // The normal points outwards, by the winding.
+  double curvature;     // Change of the vertices' normals per length, along the edge where it is greatest [rad/m].
+  Vec3 around;          // Of that change; of any length.
+  // Whether a body up to kThickestRound thick may be round here.
+  [[nodiscard]] bool is_round() const { return curvature * double{ThinParts::kThickestRound} >= kRound; }
+  // Greatest thickness of a part with this side [m].
+  [[nodiscard]] double reach() const { return double{is_round() ? ThinParts::kThickestRound : ThinParts::kThickest}; }
+  // Distance from the surface at which rays into the body start [m]: more than coordinates are rounded by.
+  [[nodiscard]] double clearance() const {
+    return is_round() ? std::max(double{kThinnest}, 0.02 / curvature) : double{kThinnest};
+  }
+  [[nodiscard]] bool may_be_thin(double depth) const {
+    return depth < double{ThinParts::kThickest} || curvature * depth >= kRound;
+  }
 };
 
 // Traces rays to the first surface of one instance, through those of others.
@@ -63,16 +79,21 @@ class Probe {
   std::vector<double> distances_;
 };
 
-Ray probe_ray(const Vec3& from, const Vec3& direction) {
-  return {from, direction, double{kThinnest}, double{ThinParts::kThickest}};
+Ray probe_ray(const Vec3& from, const Vec3& direction, const Wall& wall) {
+  return {from, direction, wall.clearance(), wall.reach()};
 }
 
-// Triangles that are narrow enough to be sides of a thin part.
-std::vector<Wall> walls_of(const Instance& instance) {
+// Triangles that are narrow enough to be sides of a thin part, and not of a compact body.
+std::vector<Wall> walls_of(const Instance& instance, const std::vector<ThinTriangle>& compact) {
   const Mesh& mesh = *instance.mesh;
   std::vector<Wall> walls;
-  walls.reserve(mesh.triangles.size());
+  walls.reserve(mesh.triangles.size() - compact.size());
+  auto next_compact = compact.begin();
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (next_compact != compact.end() && next_compact->triangle == t) {
+      ++next_compact;
+      continue;
+    }
     if (const std::size_t slot = mesh.slot_of(t); slot < instance.reliefs.size() && instance.reliefs[slot] != nullptr) {
       continue;
     }
@@ -81,65 +102,96 @@ std::vector<Wall> walls_of(const Instance& instance) {
       corners[k] = instance.world_from_mesh * mesh.vertices[mesh.triangles[t][k]].cast<double>().eval();
     }
     const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-    const double edge = std::max(
-        {(corners[1] - corners[0]).norm(), (corners[2] - corners[1]).norm(), (corners[0] - corners[2]).norm()});
     const double length = normal.norm();
-    if (length > 0 && length < kWidest * double{ThinParts::kThickest} * edge) {
-      walls.push_back({t, (corners[0] + corners[1] + corners[2]) / 3, normal / length});
+    double longest = 0, curvature = 0;
+    Vec3 around = Vec3::Zero();
+    for (int k = 0; k < 3; ++k) {
+      const int next = (k + 1) % 3;
+      const double edge = (corners[next] - corners[k]).norm();
+      const Vec3f change = mesh.normals[mesh.triangles[t][next]] - mesh.normals[mesh.triangles[t][k]];
+      const float turn = change.norm();
+      longest = std::max(longest, edge);
+      if (turn > kFlat && double{turn} > curvature * edge) {
+        curvature = double{turn} / edge;
+        around = change.cast<double>();
+      }
+    }
+    const Wall wall{t, (corners[0] + corners[1] + corners[2]) / 3, normal / length, curvature,
+                    instance.world_from_mesh.orientation * around};
+    if (length > 0 && length < kWidest * wall.reach() * longest) {
+      walls.push_back(wall);
     }
   }
   return walls;
 }
 
+// A wall with an opposite wall within reach, and the pairs of rays across from half-way between them.
+struct Near {
+  const Wall* wall;
+  double depth;
+  std::size_t first_ray;
+  int directions;
+
+  void add_rays(std::vector<Ray>& rays) const {
+    const Vec3 inside = wall->middle - 0.5 * depth * wall->normal;
+    // The normals of a rod turn around its axis: across it, it is narrowest.
+    const Vec3 turned = wall->around - wall->normal.dot(wall->around) * wall->normal;
+    const Vec3 one = directions == 1 ? turned.normalized() : wall->normal.unitOrthogonal();
+    const Vec3 two = wall->normal.cross(one);
+    for (int k = 0; k < directions; ++k) {
+      const double angle = std::numbers::pi * k / directions;
+      const Vec3 direction = std::cos(angle) * one + std::sin(angle) * two;
+      rays.push_back(probe_ray(inside, direction, *wall));
+      rays.push_back(probe_ray(inside, -direction, *wall));
+    }
+  }
+
+  // First ray of the pair whose ends are closest.
+  [[nodiscard]] std::size_t narrowest(std::span<const double> sides) const {
+    std::size_t least = first_ray;
+    for (std::size_t ray = first_ray; ray < first_ray + 2 * static_cast<std::size_t>(directions); ray += 2) {
+      least = sides[ray] + sides[ray + 1] < sides[least] + sides[least + 1] ? ray : least;
+    }
+    return least;
+  }
+};
+
 }  // namespace
 
 std::vector<ThinTriangle> find_thin_triangles(const Scene& scene, int index, Engine& engine) {
   const Instance& instance = scene.instances[index];
-  const std::vector<Wall> walls = walls_of(instance);
-  std::vector<ThinTriangle> thin;
+  std::vector<ThinTriangle> thin = find_compact_bodies(instance);
+  const std::vector<Wall> walls = walls_of(instance, thin);
+  std::erase_if(thin, [](const ThinTriangle& triangle) { return triangle.thickness >= ThinParts::kThickestRound; });
   Probe through(index, engine), across(index, engine);
   std::vector<Ray> rays, cross_rays;
-  std::vector<std::pair<const Wall*, double>> near;  // Walls with an opposite wall within kThickest, and its distance.
+  std::vector<Near> near;
   for (std::size_t first = 0; first < walls.size(); first += kTogether) {
     const std::span<const Wall> some(&walls[first], std::min(kTogether, walls.size() - first));
     rays.clear();
     for (const Wall& wall : some) {
-      rays.push_back(probe_ray(wall.middle, -wall.normal));
+      rays.push_back(probe_ray(wall.middle, -wall.normal, wall));
     }
     const std::span<const double> depths = through.distances(rays);
     near.clear();
     cross_rays.clear();
     for (std::size_t i = 0; i < some.size(); ++i) {
-      if (!std::isfinite(depths[i])) {
-        continue;
-      }
-      near.emplace_back(&some[i], depths[i]);
-      const Vec3 inside = some[i].middle - 0.5 * depths[i] * some[i].normal;
-      const Vec3 one = some[i].normal.unitOrthogonal(), two = some[i].normal.cross(one);
-      for (int k = 0; k < kAcross; ++k) {
-        const double angle = std::numbers::pi * k / kAcross;
-        const Vec3 direction = std::cos(angle) * one + std::sin(angle) * two;
-        cross_rays.push_back(probe_ray(inside, direction));
-        cross_rays.push_back(probe_ray(inside, -direction));
+      if (std::isfinite(depths[i]) && some[i].may_be_thin(depths[i])) {
+        near.push_back(
+            {&some[i], depths[i], cross_rays.size(), depths[i] < double{ThinParts::kThickest} ? kAcross : 1});
+        near.back().add_rays(cross_rays);
       }
     }
     const std::span<const double> sides = across.distances(cross_rays);
-    for (std::size_t i = 0; i < near.size(); ++i) {
-      const auto& [wall, depth] = near[i];
-      const auto width_in = [&](std::size_t k) {
-        return sides[2 * (kAcross * i + k)] + sides[2 * (kAcross * i + k) + 1];
-      };
-      std::size_t narrowest = 0;
-      for (std::size_t k = 1; k < kAcross; ++k) {
-        narrowest = width_in(k) < width_in(narrowest) ? k : narrowest;
-      }
-      const double thickness = std::max(depth, width_in(narrowest));
-      if (thickness < double{ThinParts::kThickest}) {
-        const Vec3 axis = instance.world_from_mesh.orientation.conjugate() *
-                          wall->normal.cross(cross_rays[2 * (kAcross * i + narrowest)].direction);
+    for (const Near& part : near) {
+      const std::size_t narrowest = part.narrowest(sides);
+      const double thickness = std::max(part.depth, sides[narrowest] + sides[narrowest + 1]);
+      if (thickness < part.wall->reach() && part.wall->may_be_thin(thickness)) {
+        const Vec3 axis =
+            instance.world_from_mesh.orientation.conjugate() * part.wall->normal.cross(cross_rays[narrowest].direction);
         int along = 0;
         axis.cwiseAbs().maxCoeff(&along);
-        thin.push_back({wall->triangle, static_cast<float>(thickness), along});
+        thin.push_back({part.wall->triangle, static_cast<float>(thickness), along});
       }
     }
   }

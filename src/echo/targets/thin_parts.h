@@ -1,4 +1,4 @@
-// thin_parts.h -- parts of a scene that are thin in two directions (ropes, rods, nets), as short pieces.
+// thin_parts.h -- parts of a scene that are thin in two directions (ropes, rods, nets, balls), as short pieces.
 
 #pragma once
 
@@ -10,10 +10,13 @@
 
 namespace insonify {
 
-/// Ropes, chains, nets and rods of a scene as short pieces. Each lists its surface area by direction of the normal,
-/// from which ThinEchoes computes its echo in closed form, however few samples of the lattice hit it.
+/// Ropes, chains, nets, rods and small round bodies of a scene as short pieces. Each lists its surface area by
+/// direction of the normal, from which ThinEchoes computes its echo in closed form, however few samples of the lattice
+/// hit it.
 struct ThinParts {
-  static constexpr float kThickest = 0.1F;  ///< Parts are thinner than this in two directions [m].
+  static constexpr float kThickest = 0.1F;       ///< Parts are thinner than this in two directions [m].
+  static constexpr float kThickestRound = 1.0F;  ///< The same of parts whose surface is round [m].
+  static constexpr float kTurnStep = 0.2618F;  ///< Spacing of the normals of patches around the axis: 15 degrees [rad].
   static constexpr std::size_t kMostPieces =
       20'000;  ///< Most pieces of a scene; instances beyond that are left to the lattice.
 
@@ -47,12 +50,21 @@ struct ThinTriangle {
   std::uint32_t triangle;
   float thickness;  ///< [m]
   int along;        ///< Coordinate of the mesh frame closest to the part's axis: 0, 1 or 2.
+  int body = -1;    ///< Number of the compact body that it is of, which is one piece; -1: of none.
 };
 
-/// Measures the thickness of one instance by rays: from the middle of each triangle along its normal to the opposite
-/// side, and from the midpoint of that ray the smallest extent across it. The larger of both is the second smallest
-/// extent of the body. Surfaces with relief are left out.
+/// Compact bodies of an instance, and what is thin of the rest, measured by rays: from the middle of each triangle
+/// along its normal to the opposite side, and from the midpoint of that ray the smallest extent across it. The larger
+/// of both is the second smallest extent of the body. Where it is kThickest or more, the surface must be round: its
+/// normal turns by a radian or more over the distance to the opposite side (2 on a ball). Surfaces with relief are left
+/// out.
 [[nodiscard]] std::vector<ThinTriangle> find_thin_triangles(const Scene& scene, int instance, Engine& engine);
+
+/// Finds smooth connected surfaces without relief that are at most twice as long as they are thick, such as balls and
+/// pebbles. Their thickness is the second smallest side of their bounding box in the mesh frame; also kThickestRound or
+/// more. Cut into slabs, such a body would fall into parts with few normals each.
+/// @return By triangle, in order.
+[[nodiscard]] std::vector<ThinTriangle> find_compact_bodies(const Instance& instance);
 
 /// Cuts the thin triangles of an instance into pieces, and adds these to `parts`.
 /// @param slab  Length of a piece along coordinate ThinTriangle::along [thicknesses].
