@@ -108,7 +108,11 @@ std::string default_message(const std::string& material, std::set<std::string> n
   const bool nameless = names.erase("") > 0;
   std::string text = fmt::format("took {} for ", material);
   if (!names.empty()) {
-    text += fmt::format("the materials that meshes call {}", fmt::join(names, ", "));
+    constexpr std::size_t kShown = 20;
+    const std::size_t shown = std::min(names.size(), kShown);
+    text += fmt::format("the materials that meshes call {}",
+                        fmt::join(names.begin(), std::next(names.begin(), static_cast<std::ptrdiff_t>(shown)), ", "));
+    text += names.size() > shown ? fmt::format(" and {} more", names.size() - shown) : "";
   }
   if (nameless) {
     text += names.empty() ? "surfaces that name no material" : ", and for surfaces that name none";

@@ -64,6 +64,18 @@ TEST(AssignMaterialsTest, SurfacesThatTookTheDefaultAreReportedInOneLine) {
       told, ElementsAre("took clay for the materials that meshes call moss, paint_7, and for surfaces that name none"));
 }
 
+TEST(AssignMaterialsTest, OfManyNamesTwentyAreReported) {
+  std::vector<std::string> names;
+  for (int i = 100; i < 140; ++i) {
+    names.push_back(std::to_string(i));
+  }
+  Scene scene = scene_with({instance("ship", names)});
+  std::vector<std::string> told;
+  assign_materials(scene, {}, [&](Severity, const std::string& line) { told.push_back(line); });
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_TRUE(told[0].ends_with(", 118, 119 and 20 more")) << told[0];
+}
+
 // As those of a height grid or an STL.
 TEST(AssignMaterialsTest, SurfacesWithoutANameAreReportedAsSuch) {
   Scene scene = scene_with({instance("seabed", {""})});

@@ -48,6 +48,26 @@ TEST_P(NarrowTargetTest, BallsHaveTheirTargetStrengthInEveryPing) {
   }
 }
 
+// An ellipsoid along an axis of length a: |R|^2 R1 R2 / 4 with the radii of curvature R1 = b^2 / a and R2 = c^2 / a,
+// less by 1 + R / r for each at the range r to its front. Bins of normals 15 degrees wide blur how the curvature
+// varies.
+TEST_P(NarrowTargetTest, EllipsoidsHaveTheirTargetStrengthFromAllSides) {
+  for (const double distance : {30.0, 60.0}) {
+    for (int side = 0; side < 3; ++side) {
+      const Vec3 radii = Vec3(side == 0 ? 0.3 : 0.16, side == 1 ? 0.3 : 0.16, side == 2 ? 0.3 : 0.16);
+      const double range = distance - radii.x();
+      const double one = radii.y() * radii.y() / radii.x(), two = radii.z() * radii.z() / radii.x();
+      const double expected =
+          kReflection * kReflection * one * two / 4 / std::pow(range, 4) / ((1 + one / range) * (1 + two / range));
+      const Levels levels =
+          levels_of(calibrated(default_sonar(distance + 5), GetParam()),
+                    scene_of(make_ellipsoid(radii, 0.15), glinting(kReflection, 0.05), {.position = {distance, 0, 0}}));
+      EXPECT_NEAR(levels.mean_db, 10 * std::log10(expected), 0.9) << distance << " m, side " << side;
+      EXPECT_LE(levels.spread_db, 0.5) << distance << " m, side " << side;
+    }
+  }
+}
+
 // The sphere of tungsten carbide by which echo sounders are calibrated, in the limit of geometrical optics: its
 // impedance is 14 900 x 6 853 against that of water, |R| = 0.970 (Foote, J. Acoust. Soc. Am. 71, 742, 1982, for the
 // material): 20 log10(0.01905 / 2) - 0.26 dB = -40.7 dB.

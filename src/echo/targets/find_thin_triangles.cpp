@@ -125,35 +125,48 @@ std::vector<Wall> walls_of(const Instance& instance, const std::vector<ThinTrian
   return walls;
 }
 
-// A wall with an opposite wall within reach, and the pairs of rays across from half-way between them.
-struct Near {
-  const Wall* wall;
-  double depth;
-  std::size_t first_ray;
-  int directions;
-
-  void add_rays(std::vector<Ray>& rays) const {
-    const Vec3 inside = wall->middle - 0.5 * depth * wall->normal;
-    // The normals of a rod turn around its axis: across it, it is narrowest.
-    const Vec3 turned = wall->around - wall->normal.dot(wall->around) * wall->normal;
-    const Vec3 one = directions == 1 ? turned.normalized() : wall->normal.unitOrthogonal();
-    const Vec3 two = wall->normal.cross(one);
-    for (int k = 0; k < directions; ++k) {
-      const double angle = std::numbers::pi * k / directions;
+// A wall with an opposite wall within reach, and the pairs of rays across from half-way between them. Where the body is
+// deeper than kThickest, and so round, there are two pairs: around the body and along it.
+class Near {
+ public:
+  Near(const Wall& wall, double depth, std::vector<Ray>& rays)
+      : wall_(&wall),
+        depth_(depth),
+        first_ray_(rays.size()),
+        directions_(depth < double{ThinParts::kThickest} ? kAcross : 2) {
+    const Vec3 inside = wall.middle - 0.5 * depth * wall.normal;
+    const Vec3 turned = wall.around - wall.normal.dot(wall.around) * wall.normal;
+    const Vec3 one = directions_ == 2 ? turned.normalized() : wall.normal.unitOrthogonal();
+    const Vec3 two = wall.normal.cross(one);
+    for (int k = 0; k < directions_; ++k) {
+      const double angle = std::numbers::pi * k / directions_;
       const Vec3 direction = std::cos(angle) * one + std::sin(angle) * two;
-      rays.push_back(probe_ray(inside, direction, *wall));
-      rays.push_back(probe_ray(inside, -direction, *wall));
+      rays.push_back(probe_ray(inside, direction, wall));
+      rays.push_back(probe_ray(inside, -direction, wall));
     }
   }
 
-  // First ray of the pair whose ends are closest.
-  [[nodiscard]] std::size_t narrowest(std::span<const double> sides) const {
-    std::size_t least = first_ray;
-    for (std::size_t ray = first_ray; ray < first_ray + 2 * static_cast<std::size_t>(directions); ray += 2) {
-      least = sides[ray] + sides[ray + 1] < sides[least] + sides[least + 1] ? ray : least;
+  [[nodiscard]] const Wall& wall() const { return *wall_; }
+
+  // The second smallest extent, and the unit vector along the greatest one.
+  [[nodiscard]] std::pair<double, Vec3> measure(const std::vector<Ray>& rays, std::span<const double> sides) const {
+    const auto width = [&](std::size_t ray) { return sides[ray] + sides[ray + 1]; };
+    std::size_t narrowest = first_ray_;
+    for (std::size_t ray = first_ray_; ray < first_ray_ + 2 * static_cast<std::size_t>(directions_); ray += 2) {
+      narrowest = width(ray) < width(narrowest) ? ray : narrowest;
     }
-    return least;
+    const double widest = directions_ == 2 ? std::max(width(first_ray_), width(first_ray_ + 2)) : depth_;
+    if (depth_ > widest) {  // At the end of a long body.
+      return {widest, wall_->normal};
+    }
+    return {std::max(depth_, width(narrowest)), wall_->normal.cross(rays[narrowest].direction)};
   }
+
+ private:
+  const Wall* wall_;
+  double depth_;
+  std::size_t first_ray_;
+  int directions_;
 };
 
 }  // namespace
@@ -177,21 +190,16 @@ std::vector<ThinTriangle> find_thin_triangles(const Scene& scene, int index, Eng
     cross_rays.clear();
     for (std::size_t i = 0; i < some.size(); ++i) {
       if (std::isfinite(depths[i]) && some[i].may_be_thin(depths[i])) {
-        near.push_back(
-            {&some[i], depths[i], cross_rays.size(), depths[i] < double{ThinParts::kThickest} ? kAcross : 1});
-        near.back().add_rays(cross_rays);
+        near.emplace_back(some[i], depths[i], cross_rays);
       }
     }
     const std::span<const double> sides = across.distances(cross_rays);
     for (const Near& part : near) {
-      const std::size_t narrowest = part.narrowest(sides);
-      const double thickness = std::max(part.depth, sides[narrowest] + sides[narrowest + 1]);
-      if (thickness < part.wall->reach() && part.wall->may_be_thin(thickness)) {
-        const Vec3 axis =
-            instance.world_from_mesh.orientation.conjugate() * part.wall->normal.cross(cross_rays[narrowest].direction);
-        int along = 0;
-        axis.cwiseAbs().maxCoeff(&along);
-        thin.push_back({part.wall->triangle, static_cast<float>(thickness), along});
+      const auto [thickness, along] = part.measure(cross_rays, sides);
+      if (thickness < part.wall().reach() && part.wall().may_be_thin(thickness)) {
+        int coordinate = 0;
+        (instance.world_from_mesh.orientation.conjugate() * along).cwiseAbs().maxCoeff(&coordinate);
+        thin.push_back({part.wall().triangle, static_cast<float>(thickness), coordinate});
       }
     }
   }

@@ -46,10 +46,6 @@ PieceMaker::PieceMaker(const std::vector<Facet>& facets) {
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver(covariance);
   axis_ = solver.eigenvectors().col(2).normalized();
-  // A straight piece of length l has a variance of l^2 / 12 along its axis.
-  constexpr float kLong = 2;
-  const Vec3f& variance = solver.eigenvalues();
-  half_ = variance[2] > kLong * variance[1] ? Vec3f(std::sqrt(3 * variance[2]) * axis_) : Vec3f(Vec3f::Zero());
   one_ = axis_.unitOrthogonal();
   two_ = axis_.cross(one_);
   float curved_area = 0, square = 0;
@@ -59,6 +55,12 @@ PieceMaker::PieceMaker(const std::vector<Facet>& facets) {
     square += area * rise * rise;
   }
   round_ = square > curved_area * kTurnStep * kTurnStep;
+  // A straight piece of length l has a variance of l^2 / 12 along its axis. A round one has no section that is the same
+  // all along it.
+  constexpr float kLong = 2;
+  const Vec3f& variance = solver.eigenvalues();
+  half_ =
+      !round_ && variance[2] > kLong * variance[1] ? Vec3f(std::sqrt(3 * variance[2]) * axis_) : Vec3f(Vec3f::Zero());
   for (const Facet& facet : facets) {
     sort(facet);
   }
