@@ -90,6 +90,8 @@ void bind_similarity(py::module_& module) {
               "Structural similarity at five scales, 0 to 1; at fewer, with their weights divided by their sum, for "
               "pictures of fewer than 176 x 176 pixels, of which at least 11 x 11 are needed. Wang, "
               "Simoncelli and Bovik, 37th Asilomar Conference (2003).");
+  m.def("ms_ssim_scales", &ms_ssim_scales, py::arg("columns"), py::arg("rows"),
+        "Scales of MS-SSIM that a picture of so many pixels has room for, 0 to 5.");
   add_measure(m, "correlation", &correlation, "Pearson correlation of the pixels, -1 to 1; 0 for a constant picture.");
   m.def(
       "ks_distance",

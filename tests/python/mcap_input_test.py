@@ -222,7 +222,7 @@ class McapInputTest(unittest.TestCase):
                                     "--duration", "1e6"])
         file = pathlib.Path("killed/büg.mcap")
         deadline = time.monotonic() + 60
-        while (not file.exists() or len(chunks_of(file.read_bytes())) < 9) and time.monotonic() < deadline:
+        while (not file.exists() or len(chunks_of(file.read_bytes())) < 24) and time.monotonic() < deadline:
             time.sleep(0.02)
         process.send_signal(signal.SIGKILL)
         process.wait()

@@ -97,6 +97,9 @@ GrowingFile::Growth::Growth(const GrowingDataset& dataset)
   if (dataset.is_filtered()) {
     filter.emplace(H5Tget_size(dataset.type));
   }
+  if (chunk_rows > 1) {
+    rows.reserve(chunk_rows * row_bytes + kChecksumBytes);
+  }
 }
 
 GrowingFile::~GrowingFile() {
@@ -232,7 +235,7 @@ bool GrowingFile::add_to_rows(Growth& growth, std::uint64_t& end) {
 // Gives the last chunk, of several rows, its checksum, with zeros for rows that it does not have.
 bool GrowingFile::seal(Growth& growth, std::uint64_t& end) {
   const std::uint64_t written = growth.rows.size(), bytes = growth.chunk_rows * growth.row_bytes;
-  std::vector<std::byte> chunk = growth.rows;
+  std::vector<std::byte>& chunk = growth.rows;
   chunk.resize(bytes);
   const std::uint32_t checksum = fletcher32(chunk);
   const auto sum = bytes_of(checksum);
