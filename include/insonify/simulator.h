@@ -46,7 +46,7 @@ class PreparedSonar {
  private:
   friend class Simulator;
   SonarConfig config_;
-  std::vector<Material> materials_;  // Of the scene.
+  std::vector<Material> materials_;  // The scene's when it was prepared.
   std::unique_ptr<SimulatedSonar> made_;
 };
 

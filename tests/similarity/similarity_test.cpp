@@ -123,7 +123,7 @@ TEST(SimilarityTest, OddSidesLoseTheirLastPixelOnTheWayToCoarserScales) {
   EXPECT_NEAR(ms_ssim(odd, shifted(odd)), .9327143777509248, kSame);
 }
 
-// Of the same definition in NumPy and SciPy, with the finest scales' weights divided by their sum.
+// The values are those of the same definition in NumPy and SciPy, with the finest scales' weights divided by their sum.
 TEST(SimilarityTest, SmallPicturesHaveFewerScales) {
   struct Fewer {
     int side, scales;

@@ -40,7 +40,7 @@ EchoModel model_of(const RecordedPings& pings, const std::filesystem::path& file
   return pings.model() == "paper" ? EchoModel::kPaper : EchoModel::kCalibrated;
 }
 
-// Of an instrument or of another program, without settings of the simulator.
+// Whether an instrument or another program has written them: without settings of the simulator.
 bool is_foreign(const RecordedPings& pings) {
   return pings.model().empty() && !pings.foreign_format().empty();
 }

@@ -27,7 +27,7 @@ struct Wall {
   std::uint32_t triangle;
   Vec3 middle, normal;  // The normal points outwards, by the winding.
   double curvature;     // Change of the vertices' normals per length, along the edge where it is greatest [rad/m].
-  Vec3 around;          // Of that change; of any length.
+  Vec3 around;          // That change: a direction around the body, of any length.
   // Whether a body up to kThickestRound thick may be round here.
   [[nodiscard]] bool is_round() const { return curvature * double{ThinParts::kThickestRound} >= kRound; }
   // Greatest thickness of a part with this side [m].

@@ -17,7 +17,7 @@ namespace {
 
 using std::string_view_literals::operator""sv;
 
-constexpr std::size_t kForeignHead = 1026;  // Of XTF: its file header and the mark of its first packet [bytes].
+constexpr std::size_t kForeignHead = 1026;  // XTF needs most: its file header and the mark of its first packet [bytes].
 
 constexpr ForeignFormat kForeignFormats[] = {
     {"Oculus", ".raw .oculus",

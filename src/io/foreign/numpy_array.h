@@ -17,7 +17,7 @@ struct NumpyHeader {
   std::size_t value_bytes = 0;       ///< [bytes]
   bool fortran_order = false;        ///< The first axis varies fastest; else the last.
   std::vector<std::uint64_t> shape;  ///< Empty for a single number.
-  std::uint64_t begin = 0;           ///< Of the numbers [bytes].
+  std::uint64_t begin = 0;           ///< Where the numbers begin in the file [bytes].
   std::uint64_t count = 0;           ///< Product of the shape.
 
   [[nodiscard]] std::uint64_t bytes() const { return count * value_bytes; }

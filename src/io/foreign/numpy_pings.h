@@ -19,7 +19,7 @@ struct ArrayAxes {
   std::array<std::uint64_t, 3> length = {1, 1, 1}, stride = {0, 0, 0};
 };
 
-/// Of the last two axes, or of all two.
+/// What the last two axes of an array are.
 enum class AxisOrder { kBinBeam, kBeamBin, kPingBin };
 
 /// @throws Error for more than three axes.
@@ -34,7 +34,7 @@ enum class AxisOrder { kBinBeam, kBeamBin, kPingBin };
 
 /// What an archive says about the axes, and what is assumed where it says nothing.
 struct ArrayScales {
-  std::vector<double> azimuths = {}, ranges = {};  ///< Of the beams, positive to port [rad]; of the bins [m].
+  std::vector<double> azimuths = {}, ranges = {};  ///< [beam] Positive to port [rad]; [bin] [m].
   double most_range = 0;                           ///< [m]; 0: unknown.
 };
 

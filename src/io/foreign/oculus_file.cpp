@@ -20,7 +20,7 @@ constexpr std::string_view kOculusMark = "SO";                           // 0x4f
 constexpr std::uint64_t kLongestOculusMessage = std::uint64_t{1} << 26;  // A thousand beams of 16 bits: 32 000 rows.
 
 struct StoredOculusPing {
-  std::uint64_t at = 0, size = 0;  // Of the message in the file [bytes].
+  std::uint64_t at = 0, size = 0;  // Place and size of the message in the file [bytes].
   double time = 0;                 // [s]; 0 in layout 1, whose clock has no public unit.
 };
 
@@ -29,7 +29,7 @@ struct OculusPings {
   std::vector<StoredOculusPing> pings;
   OculusPing first;
   std::uint64_t other_shape = 0, other_messages = 0;
-  std::uint16_t other_id = 0;                // Of the last one.
+  std::uint16_t other_id = 0;                // Id of the last other message.
   std::optional<std::uint64_t> cut_at = {};  // Where a last message begins that the file does not hold whole.
 };
 

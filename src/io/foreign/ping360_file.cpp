@@ -31,14 +31,14 @@ constexpr std::uint16_t kProfile = 2300, kAutoProfile = 2301;
 constexpr double kFullTurn = 2 * std::numbers::pi;  // [rad]
 
 struct Profile {
-  std::uint64_t at = 0;  // Of its samples in the file.
+  std::uint64_t at = 0;  // Place of its samples in the file [bytes].
   int angle = 0;         // [gradians]
-  double time = 0;       // Of day [s]; 0 where the file does not say.
+  double time = 0;       // Since midnight [s]; 0 where the file does not say.
 };
 
 struct Profiles {
   std::vector<Profile> all;
-  std::uint16_t period = 0, frequency = 0, samples = 0;  // Of the first: [25 ns], [kHz].
+  std::uint16_t period = 0, frequency = 0, samples = 0;  // The first profile's: [25 ns], [kHz], count.
   std::uint64_t other_shape = 0, damaged = 0, other_messages = 0;
   std::string end = {};  // Why the rest of the file is not read; "" if it is.
 };

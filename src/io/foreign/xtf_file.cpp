@@ -46,14 +46,14 @@ struct XtfChannel {
 };
 
 struct XtfPing {
-  std::uint64_t at = 0;  // Of its samples in the file.
+  std::uint64_t at = 0;  // Place of its samples in the file [bytes].
   double time = 0;       // [s]
 };
 
 struct XtfPings {
   std::vector<XtfPing> all;
-  std::uint32_t samples = 0;  // Of the first; and [m], [Hz]:
-  double slant_range = 0, frequency = 0;
+  std::uint32_t samples = 0;              // The first ping's, as the next two.
+  double slant_range = 0, frequency = 0;  // [m], [Hz]
   std::uint64_t other_shape = 0, without = 0, packets = 0;
   std::optional<std::uint64_t> cut_at = {};
 };

@@ -176,6 +176,14 @@ std::size_t GltfFile::whole(const nlohmann::json& object, const char* key, long 
   return found->get<std::size_t>();
 }
 
+nlohmann::json& GltfFile::list(const char* name) {
+  nlohmann::json& found = json[name];
+  if (!found.is_array()) {
+    found = nlohmann::json::array();
+  }
+  return found;
+}
+
 const std::string& GltfFile::buffer(std::size_t index) {
   const auto [entry, is_new] = buffers_.try_emplace(index);
   if (!is_new) {

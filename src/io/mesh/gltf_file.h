@@ -19,6 +19,9 @@ class GltfFile {
 
   nlohmann::json json;
 
+  /// A list at the root; made, and empty, if there is none.
+  [[nodiscard]] nlohmann::json& list(const char* name);
+
   /// The bytes of a buffer: a file, data in its URI, or the binary chunk of a GLB.
   [[nodiscard]] const std::string& buffer(std::size_t index);
 
@@ -54,5 +57,11 @@ class GltfFile {
   double numbers_ = 0;  // Converted so far.
   std::map<std::size_t, std::string> buffers_;
 };
+
+/// Triangles of a primitive, by the count of its corners; 0 for points and lines.
+[[nodiscard]] std::size_t triangle_count(const GltfFile& file, const nlohmann::json& primitive);
+
+/// @throws Error if the nodes, once unfolded, or their meshes exceed a Budget, or if a node is within itself.
+void check_gltf_nodes(GltfFile& file, const std::filesystem::path& path);
 
 }  // namespace insonify

@@ -15,7 +15,6 @@
 #include "io/file/scene_folders.h"
 #include "io/file/uri.h"
 #include "io/mesh/gltf_file.h"
-#include "io/mesh/node_graph.h"
 
 namespace insonify {
 namespace {
@@ -41,14 +40,6 @@ void check_required_extensions(const GltfFile& file, const std::filesystem::path
   }
 }
 
-json& list(GltfFile& file, const char* name) {
-  json& found = file.json[name];
-  if (!found.is_array()) {
-    found = json::array();
-  }
-  return found;
-}
-
 // ---------------------------------------------------------------- Nodes
 
 // Attribute of instances: one vector for each; empty if it is not given.
@@ -60,7 +51,7 @@ std::vector<float> instance_numbers(GltfFile& file, const json& attributes, cons
 // Gives a node with EXT_mesh_gpu_instancing a child for each instance.
 void place_instances(GltfFile& file, std::size_t index, const std::filesystem::path& path) {
   const json::json_pointer pointer("/extensions/EXT_mesh_gpu_instancing/attributes");
-  const json node = list(file, "nodes")[index];
+  const json node = file.list("nodes")[index];
   if (!node.contains(pointer) || !node.contains("mesh")) {
     return;
   }
@@ -76,7 +67,7 @@ void place_instances(GltfFile& file, std::size_t index, const std::filesystem::p
   }
   check_budget(Budget::kInstances, static_cast<double>(count), path.string());
   json children = node.value("children", json::array());
-  json& nodes = list(file, "nodes");
+  json& nodes = file.list("nodes");
   for (std::size_t i = 0; i < count; ++i) {
     json child = {{"name", node.value("name", std::string())}, {"mesh", node["mesh"]}};
     const auto part = [i](const std::vector<float>& all, std::size_t each) {
@@ -101,62 +92,6 @@ void place_instances(GltfFile& file, std::size_t index, const std::filesystem::p
   nodes[index]["children"] = std::move(children);
 }
 
-std::size_t triangle_count(const GltfFile& file, const json& primitive) {
-  constexpr std::size_t kTriangles = 4;
-  const std::size_t mode = file.whole(primitive, "mode", kTriangles);
-  const json attributes = primitive.value("attributes", json::object());
-  if (mode < kTriangles || !attributes.contains("POSITION")) {
-    return 0;
-  }
-  const std::size_t accessor =
-      primitive.contains("indices") ? file.whole(primitive, "indices") : file.whole(attributes, "POSITION");
-  const std::size_t corners = file.whole(file.at("accessors", accessor), "count");
-  return mode == kTriangles ? (corners + 2) / 3 : std::max<std::size_t>(corners, 2) - 2;
-}
-
-// What counts as triangles for Budget: a mesh may have more vertices than they need.
-double size_of_mesh(const GltfFile& file, const json& mesh) {
-  double size = 0;
-  for (const json& primitive : mesh.value("primitives", json::array())) {
-    const json attributes = primitive.value("attributes", json::object());
-    const std::size_t vertices = attributes.contains("POSITION")
-                                     ? file.whole(file.at("accessors", file.whole(attributes, "POSITION")), "count")
-                                     : 0;
-    size += std::max(static_cast<double>(triangle_count(file, primitive)), static_cast<double>(vertices) / 3);
-  }
-  return size;
-}
-
-void check_nodes(GltfFile& file, const std::filesystem::path& path) {
-  const std::size_t count = list(file, "nodes").size();
-  const auto indices_of = [&](const json& owner, const char* key) {
-    std::vector<std::size_t> indices;
-    for (const json& index : owner.value(key, json::array())) {
-      if (index.is_number_unsigned() && index.get<std::size_t>() < count) {
-        indices.push_back(index.get<std::size_t>());
-      }
-    }
-    return indices;
-  };
-  std::vector<double> meshes;
-  double all_meshes = 0;
-  for (const json& mesh : list(file, "meshes")) {
-    meshes.push_back(size_of_mesh(file, mesh));
-    all_meshes += meshes.back();
-  }
-  check_budget(Budget::kTriangles, all_meshes, path.string());
-  NodeGraph graph;
-  for (const json& node : list(file, "nodes")) {
-    const std::size_t mesh = file.whole(node, "mesh", static_cast<long>(meshes.size()));
-    graph.nodes.push_back({fmt::format("nodes[{}]", graph.nodes.size()), indices_of(node, "children"),
-                           mesh < meshes.size() ? meshes[mesh] : 0});
-  }
-  for (const json& scene : list(file, "scenes")) {
-    graph.roots.push_back(indices_of(scene, "nodes"));
-  }
-  check_node_graph(graph, path);
-}
-
 // ---------------------------------------------------------------- Vertices
 
 // Converts accessors, and keeps the results in a buffer of their own.
@@ -172,17 +107,17 @@ class Converter {
         accessor.contains("bufferView")) {
       return index;
     }
-    const auto [entry, is_new] = known_.try_emplace(index, list(file_, "accessors").size());
+    const auto [entry, is_new] = known_.try_emplace(index, file_.list("accessors").size());
     if (is_new) {
       const std::vector<float> numbers = file_.numbers(index);
       const std::size_t size = numbers.size() * sizeof(float);
-      json& views = list(file_, "bufferViews");
-      list(file_, "accessors")
+      json& views = file_.list("bufferViews");
+      file_.list("accessors")
           .push_back({{"bufferView", views.size()},
                       {"componentType", kFloat},
                       {"count", accessor["count"]},
                       {"type", accessor["type"]}});
-      views.push_back({{"buffer", list(file_, "buffers").size()}, {"byteOffset", bytes_.size()}, {"byteLength", size}});
+      views.push_back({{"buffer", file_.list("buffers").size()}, {"byteOffset", bytes_.size()}, {"byteLength", size}});
       bytes_.append(reinterpret_cast<const char*>(numbers.data()), size);
     }
     return entry->second;
@@ -208,7 +143,7 @@ json kept_attributes(const json& primitive, GltfFile& file, Converter& converter
 
 void mend_meshes(GltfFile& file, std::string& numbers, MendedGltf& mended) {
   Converter converter(file, numbers);
-  for (json& mesh : list(file, "meshes")) {
+  for (json& mesh : file.list("meshes")) {
     json primitives = json::array();
     for (const json& primitive : mesh.value("primitives", json::array())) {
       mended.triangles.push_back(triangle_count(file, primitive));
@@ -240,13 +175,13 @@ json kept_material(const json& material, const GltfFile& file) {
 }
 
 void leave_out_what_has_no_shape(GltfFile& file) {
-  for (json& material : list(file, "materials")) {
+  for (json& material : file.list("materials")) {
     material = kept_material(material, file);
   }
-  for (json& texture : list(file, "textures")) {
+  for (json& texture : file.list("textures")) {
     texture = texture.contains("source") ? json{{"source", texture["source"]}} : json::object();
   }
-  for (json& node : list(file, "nodes")) {
+  for (json& node : file.list("nodes")) {
     for (const char* key : {"camera", "skin", "weights", "extensions", "extras"}) {
       node.erase(key);
     }
@@ -274,7 +209,7 @@ void decode_uris(GltfFile& file, const std::filesystem::path& path) {
       }
     }
   }
-  for (const json& buffer : list(file, "buffers")) {
+  for (const json& buffer : file.list("buffers")) {
     const std::string uri = buffer.value("uri", std::string());
     const std::filesystem::path named = path.parent_path() / uri;
     std::error_code ignored;
@@ -286,7 +221,7 @@ void decode_uris(GltfFile& file, const std::filesystem::path& path) {
 
 // Buffers that are not files, and the converted numbers as the last one, become files in memory.
 void name_buffers(GltfFile& file, std::string numbers, MendedGltf& mended) {
-  json& buffers = list(file, "buffers");
+  json& buffers = file.list("buffers");
   for (std::size_t i = 0; i < buffers.size(); ++i) {
     const std::string uri = buffers[i].value("uri", std::string());
     if (uri.empty() || uri.starts_with("data:")) {
@@ -313,10 +248,10 @@ MendedGltf mend_gltf(const std::filesystem::path& path) {
     }
     check_required_extensions(file, path);
     decode_uris(file, path);
-    for (std::size_t i = 0, count = list(file, "nodes").size(); i < count; ++i) {
+    for (std::size_t i = 0, count = file.list("nodes").size(); i < count; ++i) {
       place_instances(file, i, path);
     }
-    check_nodes(file, path);
+    check_gltf_nodes(file, path);
     std::string numbers;
     mend_meshes(file, numbers, mended);
     leave_out_what_has_no_shape(file);

@@ -42,7 +42,7 @@ fs::path find_picture(const std::string& name, const fs::path& mesh_path) {
   std::string plain = name;
   std::ranges::replace(plain, '\\', '/');
   const fs::path written = plain, folder = mesh_path.parent_path();
-  const fs::path textures = folder / ".." / "materials" / "textures";  // Of the model that the mesh is a part of.
+  const fs::path textures = folder / ".." / "materials" / "textures";  // The textures of the model that has the mesh.
   bool is_outside = false;
   std::error_code ignored;
   for (const fs::path& given : {written, fs::path(percent_decoded(plain))}) {

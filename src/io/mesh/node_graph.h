@@ -14,7 +14,7 @@ struct NodeGraph {
   struct Node {
     std::string name = {};  ///< For messages.
     std::vector<std::size_t> children = {};
-    double triangles = 0;  ///< Of its own meshes.
+    double triangles = 0;  ///< Count in its own meshes, without its children's.
   };
   std::vector<Node> nodes = {};
   std::vector<std::vector<std::size_t>> roots = {};  ///< Those of each scene.

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint64_t kModulus = 65535;
 constexpr std::size_t kLanes = 16;  // Word i of a block belongs to lane i % kLanes.
-constexpr std::size_t kRows = 360;  // Of a block: with more, the second sum of a lane may exceed 32 bits.
+constexpr std::size_t kRows = 360;  // Most rows of a block: with more, the second sum of a lane may exceed 32 bits.
 
 // Vectors of the compiler, which it keeps in registers.
 using Words = std::uint16_t __attribute__((vector_size(2 * kLanes)));

@@ -78,10 +78,10 @@ class GrowingFile {
     ChunkIndex index, next_index;             // Likewise.
     std::optional<ChunkFilter> filter = {};
     std::span<const std::byte> stored = {};  // The row that is being added, perhaps compressed.
-    std::uint32_t checksum = 0;              // Of a chunk of one row.
+    std::uint32_t checksum = 0;              // The chunk's, where it is of one row.
     std::vector<std::byte> rows = {};        // Those of the last chunk, where it has several.
 
-    // Of all filters: what a chunk of several rows skips until it is full.
+    // The mask of all filters, which a chunk of several rows skips until it is full.
     [[nodiscard]] std::uint32_t all_filters() const { return filter ? 2 * ChunkFilter::kBoth + 1 : 1; }
   };
 

@@ -43,7 +43,7 @@ class StonefishSource {
   std::vector<StonefishElement> elements_;
   std::set<std::filesystem::path> open_;
   int included_ = 0;
-  double nodes_ = 0;  // Of all files, see XmlFile.
+  double nodes_ = 0;  // Elements of all files so far: the budget's nodes, see XmlFile.
 };
 
 }  // namespace insonify

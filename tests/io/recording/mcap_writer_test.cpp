@@ -98,20 +98,6 @@ TEST_F(McapWriterTest, AChunkHasMessagesOfHalfASecond) {
   EXPECT_EQ(written(), 4U);
 }
 
-// Of recordings of the same run too, also on a machine that is busy.
-TEST_F(McapWriterTest, AFileIsTheSameHoweverLongItTakes) {
-  for (const auto& [name, pause] : {std::pair("a.mcap", 0), std::pair("b.mcap", 600)}) {
-    McapWriter out(name, "us", false);
-    const auto channel = out.add_channel("/a", "p/msg/A", "int32 a\n");
-    add(out, channel, 1, bytes_of("one"));
-    std::this_thread::sleep_for(std::chrono::milliseconds(pause));
-    add(out, channel, 2, bytes_of("two"));
-    out.close();
-  }
-  EXPECT_EQ(text_of("a.mcap"), text_of("b.mcap"));
-  EXPECT_EQ(McapReader("b.mcap").messages("/a").size(), 2);
-}
-
 TEST_F(McapWriterTest, LargeChunksDoNotWait) {
   McapWriter out("a.mcap", "us", false);
   const auto channel = out.add_channel("/a", "p/msg/A", "int32 a\n");
