@@ -203,7 +203,7 @@ std::string path_of_uri(const std::string& uri, const std::filesystem::path& fol
 
 void decode_uris(GltfFile& file, const std::filesystem::path& path) {
   for (const char* name : {"buffers", "images"}) {
-    for (json& entry : list(file, name)) {
+    for (json& entry : file.list(name)) {
       if (entry.contains("uri")) {
         entry["uri"] = path_of_uri(entry["uri"].get<std::string>(), path.parent_path());
       }
