@@ -103,6 +103,26 @@ TEST(ThinPartsTest, APoleIsCutAlongItsAxis) {
   }
 }
 
+// Poles of 0.2 m in one mesh, which may hide each other: 20 are pieces, 80 are left to the lattice.
+TEST(ThinPartsTest, AnAssemblyOfManyRoundPartsIsLeftToTheLattice) {
+  for (const int poles : {20, 80}) {
+    Mesh all;
+    for (int i = 0; i < poles; ++i) {
+      const Mesh pole = make_cylinder(0.1, 0.55, 0.3);
+      const auto first = static_cast<std::uint32_t>(all.vertices.size());
+      for (std::size_t k = 0; k < pole.vertices.size(); ++k) {
+        all.vertices.push_back(pole.vertices[k] + Vec3f(static_cast<float>(i), 0, 0));
+        all.normals.push_back(pole.normals[k]);
+      }
+      for (const auto& corners : pole.triangles) {
+        all.triangles.push_back({first + corners[0], first + corners[1], first + corners[2]});
+      }
+      all.material_names = pole.material_names;
+    }
+    EXPECT_EQ(parts_of(scene_of(all)).pieces.empty(), poles == 80) << poles;
+  }
+}
+
 // The side of a rod, without its ends: 2 pi a l, less what a polygon of 21 sides lacks, 0.4 %.
 TEST(ThinPartsTest, PiecesHaveTheSurfaceOfARod) {
   const Pose aslant{.position = {300, -20, 7}, .orientation = orientation_from_rpy(0.3, 0.5, 0.7)};

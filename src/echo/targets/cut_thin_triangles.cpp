@@ -211,11 +211,11 @@ bool cut_thin_triangles(const Instance& instance, int index, const std::vector<T
       parts.patches.resize(patches);
       return false;
     }
-    const PieceMaker maker(facets);
+    const float thickness = 1e-3F * std::exp2(0.25F * static_cast<float>(key.thickness));
+    const PieceMaker maker(facets, key.body >= 0 || thickness > ThinParts::kThickest);
     const auto first_patch = static_cast<std::uint32_t>(parts.patches.size());
     maker.add_patches(parts.patches);
-    parts.pieces.push_back({key.surface, maker.middle(), maker.half(),
-                            1e-3F * std::exp2(0.25F * static_cast<float>(key.thickness)), first_patch,
+    parts.pieces.push_back({key.surface, maker.middle(), maker.half(), thickness, first_patch,
                             static_cast<std::uint32_t>(parts.patches.size())});
   }
   return true;

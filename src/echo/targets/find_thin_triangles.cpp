@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "echo/targets/thin_parts.h"
@@ -169,6 +170,20 @@ class Near {
   int directions_;
 };
 
+// Leaves thick round parts that are not compact to the lattice if they are an assembly of many.
+void leave_assemblies(const Instance& instance, int index, std::vector<ThinTriangle>& thin) {
+  const auto is_thick = [](const ThinTriangle& triangle) {
+    return triangle.body < 0 && triangle.thickness > ThinParts::kThickest;
+  };
+  std::vector<ThinTriangle> thick;
+  std::ranges::copy_if(thin, std::back_inserter(thick), is_thick);
+  ThinParts parts;
+  if (!cut_thin_triangles(instance, index, thick, kShortest, parts) ||
+      parts.pieces.size() > ThinParts::kMostThickPieces) {
+    std::erase_if(thin, is_thick);
+  }
+}
+
 }  // namespace
 
 std::vector<ThinTriangle> find_thin_triangles(const Scene& scene, int index, Engine& engine) {
@@ -221,6 +236,7 @@ ThinParts find_thin_parts(const Scene& scene, Engine& engine) {
     for (ThinTriangle& triangle : thin) {
       triangle.thickness = 1e-3F * std::exp2(0.25F * std::ceil(4 * std::log2(triangle.thickness / 1e-3F)));
     }
+    leave_assemblies(instance, static_cast<int>(i), thin);
     if (thin.empty()) {
       continue;
     }

@@ -33,7 +33,7 @@ Vec3f normal_on_cube(const std::array<int, 3>& key, int side) {
 
 }  // namespace
 
-PieceMaker::PieceMaker(const std::vector<Facet>& facets) {
+PieceMaker::PieceMaker(const std::vector<Facet>& facets, bool by_patch) {
   for (const Facet& facet : facets) {
     area_ += facet.area;
     middle_ += facet.area * facet.middle;
@@ -59,8 +59,8 @@ PieceMaker::PieceMaker(const std::vector<Facet>& facets) {
   // all along it.
   constexpr float kLong = 2;
   const Vec3f& variance = solver.eigenvalues();
-  half_ =
-      !round_ && variance[2] > kLong * variance[1] ? Vec3f(std::sqrt(3 * variance[2]) * axis_) : Vec3f(Vec3f::Zero());
+  half_ = !(round_ && by_patch) && variance[2] > kLong * variance[1] ? Vec3f(std::sqrt(3 * variance[2]) * axis_)
+                                                                     : Vec3f(Vec3f::Zero());
   for (const Facet& facet : facets) {
     sort(facet);
   }

@@ -21,7 +21,8 @@ struct Facet {
 /// Computes middle and axis of a piece from its facets, and bins their area by normal.
 class PieceMaker {
  public:
-  explicit PieceMaker(const std::vector<Facet>& facets);
+  /// @param by_patch  Whether each patch has an echo at its own place: then a round piece has no axis.
+  PieceMaker(const std::vector<Facet>& facets, bool by_patch);
 
   [[nodiscard]] const Vec3f& middle() const { return middle_; }
   [[nodiscard]] const Vec3f& half() const { return half_; }  ///< ThinParts::Piece::half

@@ -17,6 +17,9 @@ struct ThinParts {
   static constexpr float kThickest = 0.1F;       ///< Parts are thinner than this in two directions [m].
   static constexpr float kThickestRound = 1.0F;  ///< The same of parts whose surface is round [m].
   static constexpr float kTurnStep = 0.2618F;  ///< Spacing of the normals of patches around the axis: 15 degrees [rad].
+  static constexpr std::size_t kMostThickPieces =
+      64;  ///< Most pieces of an instance that are thicker than kThickest and of no compact body. The round parts of an
+           ///< assembly with more hide each other, which the lattice sees better.
   static constexpr std::size_t kMostPieces =
       20'000;  ///< Most pieces of a scene; instances beyond that are left to the lattice.
 
