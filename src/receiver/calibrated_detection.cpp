@@ -108,7 +108,7 @@ void CalibratedReceiver::detect(const EchoGrid& grid, Workers& workers, Ping& pi
   });
   if (digitizer_) {
     const auto beams = static_cast<std::size_t>(beams_);
-    digitizer_->adapt(ping.intensity);
+    digitizer_->adapt(std::span(ping.intensity).subspan(leak_ ? leak_->covered_bins() * beams : 0));
     workers.for_each(bins_, [&](int bin, int) {
       digitizer_->digitize({&ping.intensity[bin * beams], beams}, {&ping.counts[bin * beams], beams});
     });

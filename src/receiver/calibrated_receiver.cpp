@@ -290,6 +290,7 @@ void CalibratedReceiver::receive(const EchoGrid& still, std::span<const Displace
     draw_noise(ping, world_from_sonar, thrusters, workers);
   }
   if (leak_) {
+    leak_->turn_head(ping.head_angle);
     receive_leak();
   }
 

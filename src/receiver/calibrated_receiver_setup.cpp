@@ -112,7 +112,7 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
     channels_.emplace(sonar);
   }
   if (TransmitLeak::is_in(sonar)) {
-    leak_.emplace(sonar, receiver, parts.shown_speed, seed_);
+    leak_.emplace(sonar, receiver, parts.shown_speed, noise_intensity(sonar, receiver, parts.pulse), seed_);
   }
   if (settings.moves) {
     const double bias = parts.pulse.doppler_bias(doppler_shift(1, sonar.frequency, parts.true_speed));

@@ -27,6 +27,7 @@ class Digitizer {
 
   /// With a full_scale_share, sets full scale to the level that this share of a ping's intensities reaches, within 0.02
   /// dB (0.4 %). Does not allocate.
+  /// @param intensities  Without the bins that hold the transmit leak.
   void adapt(std::span<const float> intensities);
 
   /// @param counts  One per intensity; written.

@@ -18,16 +18,25 @@ double decay_per_second(const LeakEnvelope& leak) {
   return leak.decay * std::log(10.0) / 10;
 }
 
+constexpr double kTurn = 2 * std::numbers::pi;
+
+// Normal deviate of the level, and phase, in one beam or direction.
+struct LeakDraw {
+  double normal, phase;
+
+  LeakDraw(int beam, std::uint64_t seed) {
+    const PhiloxCounter words =
+        philox({static_cast<std::uint32_t>(beam), 0, 0, static_cast<std::uint32_t>(RandomPurpose::kTransmitLeak)},
+               philox_key(seed));
+    normal = std::sqrt(-2 * std::log(double{uniform_open(words[0])})) *  // Box and Muller.
+             std::cos(kTurn * double{uniform_open(words[1])});
+    phase = kTurn * double{uniform_open(words[2])};
+  }
+};
+
 // Amplitude factor and phase of the leak in one beam.
-std::complex<float> leak_factor(int beam, double spread_db, std::uint64_t seed) {
-  const PhiloxCounter words =
-      philox({static_cast<std::uint32_t>(beam), 0, 0, static_cast<std::uint32_t>(RandomPurpose::kTransmitLeak)},
-             philox_key(seed));
-  const double turn = 2 * std::numbers::pi;
-  const double normal = std::sqrt(-2 * std::log(double{uniform_open(words[0])})) *  // Box and Muller.
-                        std::cos(turn * double{uniform_open(words[1])});
-  return std::polar(static_cast<float>(std::pow(10.0, spread_db * normal / 20)),
-                    static_cast<float>(turn * double{uniform_open(words[2])}));
+std::complex<float> leak_factor(double normal, double phase, double spread_db) {
+  return std::polar(static_cast<float>(std::pow(10.0, spread_db * normal / 20)), static_cast<float>(phase));
 }
 
 // Intensity of the leak in a bin, by its decimation: at the middle, the maximum (at the near edge, as the leak decays),
@@ -54,9 +63,9 @@ double LeakEnvelope::mean(double from, double to) const {
   return level * (full + tail / rate) / (to - from);
 }
 
-TransmitLeak::TransmitLeak(const SonarConfig& sonar, const ReceiverConfig& receiver, double sound_speed,
+TransmitLeak::TransmitLeak(const SonarConfig& sonar, const ReceiverConfig& receiver, double sound_speed, double noise,
                            std::uint64_t seed)
-    : bins_(sonar.bin_count) {
+    : bins_(sonar.bin_count), spread_db_(sonar.leak_spread_db), seed_(seed) {
   while (dead_bins_ < bins_ && sonar.bin_range(dead_bins_) < sonar.dead_range) {
     ++dead_bins_;
   }
@@ -73,8 +82,31 @@ TransmitLeak::TransmitLeak(const SonarConfig& sonar, const ReceiverConfig& recei
     intensity_.push_back(static_cast<float>(intensity));
   }
   for (int beam = 0; beam < sonar.beam_count; ++beam) {
-    beams_.push_back(leak_factor(beam, sonar.leak_spread_db, seed));
+    const LeakDraw draw(beam, seed);
+    beams_.push_back(leak_factor(draw.normal, draw.phase, spread_db_));
   }
+  if (sonar.scans()) {
+    head_directions_ = std::max(1, static_cast<int>(std::lround(kTurn / (0.5 * sonar.azimuth_aperture))));
+  }
+  constexpr double kMostDeviations = 3;
+  const double most = std::pow(10.0, kMostDeviations * spread_db_ / 10);
+  const auto above =
+      std::ranges::partition_point(intensity_, [&](float intensity) { return most * double{intensity} > noise; });
+  const int covered = std::max(dead_bins_, static_cast<int>(above - intensity_.begin()));
+  covered_bins_ = covered < bins_ ? covered : 0;
+}
+
+// Between two directions the deviate is a sum of theirs, of the same variance.
+void TransmitLeak::turn_head(double angle) {
+  if (head_directions_ == 0 || spread_db_ == 0) {
+    return;
+  }
+  const double turns = angle / kTurn, place = (turns - std::floor(turns)) * head_directions_;
+  const int before = static_cast<int>(place) % head_directions_, after = (before + 1) % head_directions_;
+  const double share = place - std::floor(place);
+  const double normal = ((1 - share) * LeakDraw(before, seed_).normal + share * LeakDraw(after, seed_).normal) /
+                        std::hypot(1 - share, share);
+  beams_.front() = leak_factor(normal, LeakDraw(0, seed_).phase, spread_db_);
 }
 
 void TransmitLeak::clear_dead(std::span<float> beams) const {

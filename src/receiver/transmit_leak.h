@@ -34,17 +34,27 @@ struct LeakEnvelope {
 /// The leak is the same in every ping: it is synchronous with the transmission, and transmitter, transducer and housing
 /// do not change. Only the echoes and noise that interfere with it fluctuate. From beam to beam its level varies by a
 /// normal deviate of SonarConfig::leak_spread_db, and its phase is uniformly random; both are drawn once, from the
-/// seed.
+/// seed. The one beam of a scanning head turns within its housing, part of whose echo is in the leak: its deviate is
+/// one of the head's direction, the same in each turn, and directions half a beam apart are independent.
 class TransmitLeak {
  public:
   /// @param sound_speed  Sound speed with which the sonar converts time to range [m/s].
-  TransmitLeak(const SonarConfig& sonar, const ReceiverConfig& receiver, double sound_speed, std::uint64_t seed);
+  /// @param noise        Mean intensity of the receiver's noise, re the source's at 1 m.
+  TransmitLeak(const SonarConfig& sonar, const ReceiverConfig& receiver, double sound_speed, double noise,
+               std::uint64_t seed);
 
   /// Whether a sonar has a transmit leak or a dead range.
   [[nodiscard]] static bool is_in(const SonarConfig& sonar) { return sonar.leak_db || sonar.dead_range > 0; }
 
   /// Number of bins, from the first, in which no echo and no noise is received.
   [[nodiscard]] int dead_bins() const { return dead_bins_; }
+
+  /// Number of bins, from the first, that are dead or in which the leak is above the noise; with leak_spread_db, three
+  /// standard deviations above its mean. 0 if these are all bins.
+  [[nodiscard]] int covered_bins() const { return covered_bins_; }
+
+  /// Sets the leak of a scanning head's direction [rad].
+  void turn_head(double angle);
 
   /// Clears the dead bins and adds the leak. Does not allocate.
   /// @param beams  [beam][bin]
@@ -57,7 +67,10 @@ class TransmitLeak {
   void clear_truth(Ping& ping) const;
 
  private:
-  int bins_, dead_bins_ = 0;
+  int bins_, dead_bins_ = 0, covered_bins_ = 0;
+  double spread_db_;
+  int head_directions_ = 0;  // Independent directions of a scanning head; 0 of a fan.
+  std::uint64_t seed_;
   std::vector<float> intensity_;            // [bin], up to the last bin with a leak.
   std::vector<std::complex<float>> beams_;  // Amplitude factor of each beam.
 };

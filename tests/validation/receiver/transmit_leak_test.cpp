@@ -245,6 +245,67 @@ TEST(TransmitLeakTest, DiffersBetweenBeamsAndNotBetweenPings) {
   EXPECT_NEAR(*std::ranges::min_element(level.intensity), *std::ranges::max_element(level.intensity), 1e-8);
 }
 
+// In the scan of a head each direction is a beam: its leak is the same in each turn, and differs from that of others by
+// the spread. Over 360 directions a beam apart the standard error of the deviation is 2 / sqrt(720).
+TEST(TransmitLeakTest, DiffersBetweenTheDirectionsOfAHead) {
+  Scenario scenario = leaking(0.004);
+  scenario.sonars[0].type = SonarType::kMechanicallyScanned;
+  scenario.sonars[0].beam_count = 1;
+  scenario.sonars[0].azimuth_aperture = 1 * kDegree;
+  scenario.sonars[0].leak_spread_db = 2;
+  Simulator simulator(scenario, {}, 1);
+  const auto level = [&](double direction) {
+    PingRequest request;
+    request.head_angle = direction * kDegree;
+    return cell_db(simulator.ping(0, request), 4, 0) + 23;
+  };
+  double sum = 0, square = 0, next = 0;
+  for (int direction = 0; direction < 360; ++direction) {
+    const double here = level(direction + 0.2);
+    sum += here, square += here * here, next += here * level(direction + 1.2);
+    EXPECT_NEAR(level(direction + 360.2), here, 1e-3);
+    EXPECT_NEAR(level(direction + 0.2 - 720), here, 1e-3);
+    EXPECT_NEAR(level(direction + 0.201), here, 0.1);
+  }
+  EXPECT_NEAR(sum / 360, 0, 4 * 2 / std::sqrt(360));
+  EXPECT_NEAR(std::sqrt(square / 360), 2, 4 * 2 / std::sqrt(720));
+  EXPECT_NEAR(next / square, 0, 4 / std::sqrt(360));
+}
+
+// Automatic gain is that of what lies beyond the leak: with it the counts there are those without it.
+TEST(TransmitLeakTest, AutomaticGainDoesNotCountIt) {
+  for (const double dead_range : {0.0, 1.0}) {
+    Scenario scenario = leaking(0.02);
+    scenario.receiver.noise = scenario.receiver.speckle = scenario.receiver.counts = true;
+    scenario.receiver.full_scale_share = 0.01;
+    const Scene scene = plate_at(1.95, 3, diffuse(-20));
+    scenario.sonars[0].leak_db = 10;
+    scenario.sonars[0].dead_range = dead_range;
+    const Ping with = ping_of(scenario, scene);
+    // 10 dB less 533.33 dB/m beyond 0.075 m are below the noise, at -140 to -150 dB, from 0.37 m on: bin 18 or 19.
+    const std::size_t first = dead_range > 0 ? 50 * 12 : 19 * 12, count = with.counts.size() - first;
+    const auto full = std::ranges::count(std::span(with.counts).subspan(first), 255);
+    EXPECT_NEAR(static_cast<double>(full), 0.01 * static_cast<double>(count), 3);
+    EXPECT_EQ(with.counts[0], dead_range > 0 || first > 0 ? 255 : 0);
+    scenario.sonars[0].leak_db = {};
+    scenario.sonars[0].dead_range = (static_cast<double>(first) / 12) * 0.02;
+    const Ping without = ping_of(scenario, scene);
+    EXPECT_TRUE(std::equal(with.counts.begin() + static_cast<std::ptrdiff_t>(first), with.counts.end(),
+                           without.counts.begin() + static_cast<std::ptrdiff_t>(first)));
+  }
+}
+
+// A leak that covers all bins is all there is to set the scale by.
+TEST(TransmitLeakTest, AutomaticGainCountsALeakThatNeverEnds) {
+  Scenario scenario = leaking(0.004);
+  scenario.sonars[0].ring_down = 1e3;
+  scenario.receiver.counts = true;
+  scenario.receiver.full_scale_share = 0.01;
+  const Ping ping = ping_of(scenario, {});
+  EXPECT_EQ(ping.counts.front(), 255);
+  EXPECT_GT(ping.counts.back(), 240);
+}
+
 // A head that turns on a vehicle that moves, beside another sonar: its leak stays as it is, and is its own.
 TEST(TransmitLeakTest, BelongsToItsSonarWhereverThatMoves) {
   Scenario scenario = leaking(0.004);
