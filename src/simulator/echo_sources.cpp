@@ -69,6 +69,7 @@ Source random_walks(const SourceSettings& settings, const SourceSet&) {
   RandomWalks::Settings walks = *settings.sonar.walks;
   walks.elsewhere = {.corners = CornerEchoes::act(*settings.targets.corners, *settings.sonar.plan),
                      .water = settings.water.value_or(kNoSurface)};
+  walks.waves = settings.water && settings.scenario.surface->wind_speed > 0 ? *settings.water : kNoSurface;
   return std::make_unique<RandomWalks>(walks);
 }
 

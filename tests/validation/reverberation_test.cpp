@@ -85,12 +85,19 @@ TEST_P(ReverberationTest, PathOrdersAreThoseOfTheWalks) {
   EXPECT_EQ(ping.direct_intensity, silent.direct_intensity);
 }
 
-TEST_P(ReverberationTest, WalksDependOnSeedSonarAndPingAlone) {
+// A sonar that stands still has the same walks in every ping; waves reflect them differently in each.
+TEST_P(ReverberationTest, WalksDependOnSeedSonarAndPlaceAlone) {
   const Scenario scenario = in_tank(GetParam(), 300);
   Simulator simulator(scenario, tank(), 2);
   const Ping third = simulator.make_ping(0, 3);
-  EXPECT_NE(simulator.make_ping(0, 4).intensity, third.intensity);
+  EXPECT_EQ(simulator.make_ping(0, 4).intensity, third.intensity);
   expect_same(simulator.make_ping(0, 3), third);
+  for (const double wind : {0.0, 5.0}) {
+    Scenario at_sea = scenario;
+    at_sea.surface = SeaSurface{.level = 0.4, .wind_speed = wind};
+    Simulator under_waves(at_sea, tank(), 2);
+    EXPECT_EQ(under_waves.make_ping(0, 4).intensity == under_waves.make_ping(0, 3).intensity, wind == 0);
+  }
   expect_same(Simulator(scenario, tank(), 1).make_ping(0, 3), third);
   Scenario other = scenario;
   other.seed = 77;
@@ -115,18 +122,99 @@ TEST(ReverberationEnginesTest, Agree) {
   EXPECT_LT(apart, 2e-3 * sum);
 }
 
-// A scanning head that stands still in the tank receives as much reverberation as a fan's beam of its width, but for
-// the pattern of its beam: the walks start in its own beam only, not in all cells beside it.
-TEST(ReverberationScanTest, HeadHasTheLevelOfAFan) {
-  Scenario fan = in_tank(kRays, 100'000);
-  fan.sonars[0].beam_count = 1;
-  fan.sonars[0].azimuth_aperture = 3 * kDegree;
-  Scenario head = fan;
+// A head with a beam of 3 degrees.
+Scenario head_in_tank(int walks, BeamPattern pattern = BeamPattern::kRectangular) {
+  Scenario head = in_tank(kRays, walks);
+  head.sonars[0].beam_count = 1;
+  head.sonars[0].azimuth_aperture = 3 * kDegree;
   head.sonars[0].type = SonarType::kMechanicallyScanned;
-  head.receiver.azimuth_pattern = BeamPattern::kRectangular;
-  const double of_fan = mean_between(ping_of(fan, tank()), fan.sonars[0], 3, 5),
-               of_head = mean_between(ping_of(head, tank()), fan.sonars[0], 3, 5);
-  EXPECT_NEAR(10 * std::log10(of_head / of_fan), 0, 2);
+  head.receiver.azimuth_pattern = pattern;
+  return head;
+}
+
+// A scanning head receives as much reverberation as a fan's beam of its width, but for the pattern of its beam: it
+// sends and receives with the integral of sinc^2, 1.1287 of its width at half power, each way.
+TEST(ReverberationScanTest, HeadHasTheLevelOfAFan) {
+  const Scenario head = head_in_tank(100'000);
+  Scenario fan = head;
+  fan.sonars[0].type = SonarType::kForwardLooking;
+  fan.receiver.azimuth_pattern = BeamPattern::kTopHat;
+  const Scene scene = scene_of(make_box({2.4, 1.6, 1.1}), diffuse(-8), {});
+  const double of_fan = mean_between(ping_of(fan, scene), fan.sonars[0], 3, 5),
+               of_head = mean_between(ping_of(head, scene), fan.sonars[0], 3, 5);
+  EXPECT_NEAR(10 * std::log10(of_head / of_fan), 20 * std::log10(1.1287), 0.5);
+}
+
+// Intensities of a head between 2.6 and 4.6 m, [direction][bin], relative to the mean over directions. Walls are
+// diffuse, so that all of it are walks.
+std::vector<std::vector<double>> haze(Scenario scenario, int directions, double step) {
+  scenario.receiver.speckle = false;
+  const Scene scene = scene_of(make_box({2.4, 1.6, 1.1}), diffuse(-8), {});
+  Simulator simulator(scenario, scene, 1);
+  std::vector<std::vector<double>> rows;
+  std::vector<double> mean(100);
+  for (int i = 0; i < directions; ++i) {
+    PingRequest request;
+    request.head_angle = i * step;
+    const Ping ping = simulator.ping(0, request);
+    std::vector<double>& row = rows.emplace_back();
+    for (int bin = 0; bin < 100; ++bin) {
+      row.push_back(ping.intensity[ping.index(120 + bin, 0)]);
+      mean[bin] += row.back() / directions;
+    }
+  }
+  for (std::vector<double>& row : rows) {
+    std::ranges::transform(row, mean, row.begin(), std::divides());
+  }
+  return rows;
+}
+
+// Correlation of rows some directions apart.
+double correlation(const std::vector<std::vector<double>>& rows, std::size_t apart) {
+  double product = 0, square = 0;
+  for (std::size_t i = 0; i + apart < rows.size(); ++i) {
+    for (std::size_t bin = 0; bin < rows[i].size(); ++bin) {
+      product += (rows[i][bin] - 1) * (rows[i + apart][bin] - 1);
+      square += 0.5 * (std::pow(rows[i][bin] - 1, 2) + std::pow(rows[i + apart][bin] - 1, 2));
+    }
+  }
+  return product / square;
+}
+
+// Of few walks, what differs between directions is chance. An echo is weighted with the beam's gain where it left and
+// where it arrives: with Gaussian beams of the width b at half power, those of two directions d apart correlate by
+// e^(-2 ln 2 d^2/b^2) each way: both ways .84 for d = b/4, .50 for b/2. Walks of a ping's own would not correlate.
+TEST(ReverberationScanTest, NeighbouringDirectionsShareTheirWalks) {
+  const auto rows = haze(head_in_tank(1500, BeamPattern::kHann), 240, 0.75 * kDegree);
+  EXPECT_GT(correlation(rows, 1), 0.7);
+  EXPECT_GT(correlation(rows, 2), 0.35);
+  EXPECT_LT(correlation(rows, 1), correlation(rows, 0));
+  EXPECT_LT(correlation(rows, 2), correlation(rows, 1) - 0.1);
+  EXPECT_LT(std::abs(correlation(rows, 12)), 0.25);
+}
+
+// Few walks have the mean of many, wherever the head points: over 60 seeds.
+TEST(ReverberationScanTest, LevelsDoNotDependOnTheNumberOfWalks) {
+  for (const BeamShape shape : {BeamShape::kWedge, BeamShape::kCone}) {
+    double sum = 0, square = 0;
+    const auto level = [&](int walks, std::uint64_t seed) {
+      Scenario scenario = head_in_tank(walks);
+      scenario.receiver.beam_shape = shape;
+      scenario.seed = seed;
+      scenario.trajectory.waypoints = {{.time = 0, .orientation = {0.1, 0.2, 2.9}}};
+      return mean_between(ping_of(scenario, scene_of(make_box({2.4, 1.6, 1.1}), diffuse(-8), {})), scenario.sonars[0],
+                          2.5, 5);
+    };
+    const double expected = level(400'000, 3);
+    constexpr int kSeeds = 60;
+    for (int seed = 1; seed <= kSeeds; ++seed) {
+      const double ratio = level(2000, seed) / expected;
+      sum += ratio, square += ratio * ratio;
+    }
+    const double mean = sum / kSeeds, error = std::sqrt((square / kSeeds - mean * mean) / (kSeeds - 1));
+    EXPECT_NEAR(mean, 1, 4 * error + 0.02);
+    EXPECT_LT(error, 0.04);  // So the test can fail.
+  }
 }
 
 std::string fault_of(const Scenario& scenario) {

@@ -20,16 +20,19 @@ struct WalkScene {
         plan(planned(settings)),
         grid(settings.sonar.beam_count, settings.sonar.bin_count, kPathOrders),
         world_from_sonar{.position = position},
-        walk_settings{.count = walks, .beams = all_beams(settings.sonar.beam_count), .seed = seed} {
+        first_seed(seed),
+        walk_settings{.count = walks, .beams = all_beams(settings.sonar.beam_count)} {
     engine->set_scene(scene);
   }
 
   /// The grid of the walks of one ping; nothing else is in it.
+  /// @param number  Of the seed: each has other walks.
   const EchoGrid& ping(std::uint64_t number, const RandomWalks::Elsewhere& elsewhere = {}) {
     grid.clear();
     walk_settings.elsewhere = elsewhere;
+    walk_settings.seed = first_seed + number;
     RandomWalks walks(walk_settings);
-    engine->add(walks, *plan, world_from_sonar, number, grid);
+    engine->add(walks, *plan, world_from_sonar, 0, grid);
     return grid;
   }
 
@@ -72,6 +75,7 @@ struct WalkScene {
   std::shared_ptr<const FlatPlan> plan;
   EchoGrid grid;
   Pose world_from_sonar;
+  std::uint64_t first_seed;
   RandomWalks::Settings walk_settings;
 };
 

@@ -3,11 +3,14 @@
 #include "echo/walks/random_walks.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <numbers>
 
 #include "base/philox.h"
 #include "echo/model/flat_plan.h"
 #include "echo/model/hit.h"
+#include "sonar/bearing_frame.h"
 
 namespace insonify {
 namespace {
@@ -24,15 +27,20 @@ constexpr float kSameMirror = 0.9F;
 // Mirrors count as perpendicular if the cosine between their normals is smaller than this.
 constexpr float kPerpendicular = 0.01F;
 
+// Bounce whose random numbers no walk needs.
+constexpr int kBounceOfNone = 0xffff;
+
 // Four uniform random numbers for one bounce of a walk; bounce 0 is its launch.
 struct Draws {
   float a, b, c, d;
+  std::uint32_t word;  // From which `a` is made.
 
   Draws(std::uint64_t seed, std::uint64_t number, std::uint32_t walk, int bounce) {
     const PhiloxCounter counter = {
         walk, static_cast<std::uint32_t>(number), static_cast<std::uint32_t>(number >> 32),
         (static_cast<std::uint32_t>(bounce) << 8) + static_cast<std::uint32_t>(RandomPurpose::kWalks)};
     const PhiloxCounter words = philox(counter, philox_key(seed));
+    word = words[0];
     a = uniform_open(words[0]);
     b = uniform_open(words[1]);
     c = uniform_open(words[2]);
@@ -40,13 +48,16 @@ struct Draws {
   }
 };
 
-// Direction of a sample of the lattice in the sonar frame.
-Vec3 lattice_direction(const Lattice& lattice, int column, int row) {
-  const double cos_a = lattice.cos_azimuth[column], sin_a = lattice.sin_azimuth[column];
+// Direction at a bearing, in the sonar frame.
+// @param column, row  Sample of the lattice that gives the angle along the arc.
+Vec3 direction_at(const Lattice& lattice, double bearing, int column, int row) {
+  const double cos_a = std::cos(bearing), sin_a = std::sin(bearing);
   const double cos_t = lattice.cosines(column)[row], sin_t = lattice.sines(column)[row];
   const bool cone = lattice.shape == BeamShape::kCone;
   return Vec3(cos_a * cos_t, cone ? sin_a : sin_a * cos_t, cone ? cos_a * sin_t : sin_t).normalized();
 }
+
+constexpr double kFullCircle = 2 * std::numbers::pi;
 
 SurfaceLabel label_of(const Hit& hit) {
   return surface_label(hit.instance, hit.material);
@@ -54,37 +65,87 @@ SurfaceLabel label_of(const Hit& hit) {
 
 }  // namespace
 
-RandomWalks::RandomWalks(const Settings& settings) : settings_(settings), walks_(settings.count) {
-  legs_.reserve(walks_.size());
-  echoes_.reserve(walks_.size());
+RandomWalks::RandomWalks(const Settings& settings) : settings_(settings) {}
+
+// Chooses which of the walks each beam launches, and how many bearings come to settings_.count walks. A beam of a
+// two-way array takes all of them down to a gain of -6 dB: each walk's weight, below that, is about the same.
+void RandomWalks::choose_steps(const FlatPlan& plan) {
+  constexpr float kGainOfAll = 0.25F;
+  launches_.clear();
+  if (plan.two_way) {
+    for (int beam = 0; beam < plan.beam_count; ++beam) {
+      const float gain = plan.lattice.transmitted[static_cast<std::size_t>(beam) * plan.lattice.columns_per_beam];
+      launches_.push_back({beam, static_cast<std::int64_t>(
+                                     std::bit_floor(static_cast<std::uint32_t>(std::max(1.0F, kGainOfAll / gain))))});
+    }
+  } else {
+    for (const int beam : settings_.beams) {
+      launches_.push_back({beam, 1});
+    }
+  }
+  double width = 0;
+  std::int64_t longest = 1;
+  for (const auto& [beam, step] : launches_) {
+    width += double{plan.port_edges[beam] - plan.starboard_edges[beam]} / static_cast<double>(step);
+    longest = std::max(longest, step);
+  }
+  constexpr double kMost = 1U << 31;  // So that their numbers have 32 bits.
+  const double wanted = std::min(kMost, settings_.count * kFullCircle / width);
+  bearings_ = longest * std::max<std::int64_t>(1, std::llround(wanted / static_cast<double>(longest)));
+  first_ = Draws(settings_.seed, 0, 0, kBounceOfNone).word % longest;
+  const std::size_t most =
+      static_cast<std::size_t>(width / kFullCircle * static_cast<double>(bearings_)) + 2 * launches_.size();
+  walks_.reserve(most), legs_.reserve(most), echoes_.reserve(most);
 }
 
-// Launches the walks evenly over the columns, in random rows. A walk's weight is its share of the transmitted sound,
-// with the beam pattern.
+// Launches a beam's walks, in random rows. A walk's weight is its share of the transmitted sound, with the beam
+// pattern.
+// @param offset  BearingFrame::offset
+void RandomWalks::launch(const PingView& view, const Launch& from, double offset, RayList& rays) {
+  const Lattice& lattice = view.plan->lattice;
+  const double port = view.plan->port_edges[from.beam], starboard = view.plan->starboard_edges[from.beam];
+  const double spacing = kFullCircle / static_cast<double>(bearings_);
+  const auto number_at = [&](double bearing) {
+    return static_cast<std::int64_t>(std::floor((bearing + offset) / spacing));
+  };
+  const std::int64_t past = number_at(starboard) - first_, last = number_at(port);
+  for (std::int64_t number = first_ + (past - (past % from.step + from.step) % from.step); number <= last;
+       number += from.step) {
+    const auto index = static_cast<std::uint32_t>((number % bearings_ + bearings_) % bearings_);
+    const Draws draws(settings_.seed, 0, index, 0);
+    const double bearing = (static_cast<double>(number) + double{draws.a}) * spacing - offset;
+    if (bearing > port || bearing <= starboard) {
+      continue;
+    }
+    const int per_beam = lattice.columns_per_beam;
+    const int within = std::min(static_cast<int>((port - bearing) / (port - starboard) * per_beam), per_beam - 1);
+    const int column = from.beam * per_beam + within;
+    // All columns of wedges have the same sets of rows: a walk keeps its own, whatever the column.
+    const int rows_of = lattice.shape == BeamShape::kWedge ? static_cast<int>(index % per_beam) : column;
+    const int row = std::min(static_cast<int>(double{draws.b} * lattice.rows), lattice.rows - 1);
+    const Vec3 direction = view.world_from_sonar.orientation * direction_at(lattice, bearing, rows_of, row);
+    const double measure = double{lattice.column_measure[column]} / double{lattice.column_width[column]};
+    walks_.push_back({.point = view.world_from_sonar.position,
+                      .direction = direction.cast<float>(),
+                      .weight = static_cast<float>(double{lattice.shares(rows_of)[row]} * lattice.rows * measure *
+                                                   spacing * static_cast<double>(from.step)),
+                      .index = index,
+                      .column = column});
+    rays.rays.push_back({view.world_from_sonar.position, direction, 0, double{view.plan->reach()}});
+  }
+}
+
 void RandomWalks::ask(const PingView& view, Workers&, RayList& rays) {
   const FlatPlan& plan = *view.plan;
-  const Pose& world_from_sonar = view.world_from_sonar;
   number_ = view.number;
   water_ = plan.secondary != SecondaryEchoes::kNone && plan.max_surfaces > 2 ? settings_.elsewhere.water : kNoSurface;
   legs_.clear();
   echoes_.clear();
-  const Lattice& lattice = plan.lattice;
-  const int per_beam = lattice.columns_per_beam, columns = static_cast<int>(settings_.beams.size()) * per_beam;
-  const auto count = static_cast<double>(settings_.count);
-  const double samples_per_walk = static_cast<double>(columns) * lattice.rows / count;
-  for (std::uint32_t i = 0; i < walks_.size(); ++i) {
-    const Draws draws(settings_.seed, number_, i, 0);
-    const double across = (i + double{draws.a}) / count;
-    const int own = std::min(static_cast<int>(across * columns), columns - 1);
-    const int column = settings_.beams[static_cast<std::size_t>(own / per_beam)] * per_beam + own % per_beam;
-    const int row = std::min(static_cast<int>(double{draws.b} * lattice.rows), lattice.rows - 1);
-    const Vec3 direction = world_from_sonar.orientation * lattice_direction(lattice, column, row);
-    walks_[i] = {.point = world_from_sonar.position,
-                 .direction = direction.cast<float>(),
-                 .weight = static_cast<float>(double{lattice.shares(column)[row]} *
-                                              double{lattice.column_measure[column]} * samples_per_walk),
-                 .index = i};
-    rays.rays.push_back({world_from_sonar.position, direction, 0, double{plan.reach()}});
+  walks_.clear();
+  choose_steps(plan);
+  const double offset = BearingFrame(view.world_from_sonar.orientation.toRotationMatrix()).offset;
+  for (const Launch& from : launches_) {
+    launch(view, from, offset, rays);
   }
   walking_ = walks_.size();
   order_ = 1;
@@ -144,7 +205,7 @@ void RandomWalks::connect(const FlatPlan& plan, const Pose& world_from_sonar, co
                      .elevation = arrival.elevation,
                      .path_length = static_cast<float>(length),
                      .half_length = kHalfSpread * static_cast<float>(0.5 * length),
-                     .power = static_cast<float>(double{sent_back * arrival.received} * lost),
+                     .power = plan.arriving_power(walk.column, static_cast<float>(double{sent_back} * lost), arrival),
                      .weight = walk.weight,
                      .order = std::min(order, kPathOrders),
                      .surface = label_of(hit)});
@@ -152,7 +213,7 @@ void RandomWalks::connect(const FlatPlan& plan, const Pose& world_from_sonar, co
 
 // Draws the next direction of a walk; false if the walk ends.
 bool RandomWalks::bounce(const FlatPlan& plan, const Hit& hit, int order, Walk& walk) {
-  const Draws draws(settings_.seed, number_, walk.index, order);
+  const Draws draws(settings_.seed, label_of(hit) == settings_.waves ? number_ : 0, walk.index, order);
   const Vec3f normal = hit.normal.cast<float>();
   const SurfaceLaw law =
       SurfaceLaw::of(plan.scatter.scattering(label_of(hit)), hit.texture, normal.dot(walk.direction));

@@ -14,10 +14,15 @@ namespace insonify {
 /// Echoes of the paths over two and more surfaces that primary and secondary echoes do not cover. Calibrated model
 /// only. The order of an echo is the number of surfaces, at most kPathOrders.
 ///
-/// A walk starts at the sonar in a direction of the lattice. At each surface the next direction is drawn by SurfaceLaw.
-/// From the second surface on, each surface is also connected to the sonar, and the echo of this leg is added to the
-/// grid if nothing blocks it. The expected value of the grid is the integral over all paths:
-/// docs/concepts/multipath.md, "Random walks". Walks depend on seed and ping number, not on threads or engine.
+/// A walk starts at the sonar, at a bearing that is fixed in the world. At each surface the next direction is drawn by
+/// SurfaceLaw. From the second surface on, each surface is also connected to the sonar, and the echo of this leg is
+/// added to the grid if nothing blocks it. The expected value of the grid is the integral over all paths:
+/// docs/concepts/multipath.md, "Random walks". Walks depend on the seed and on where everything is, not on threads or
+/// engine, nor on the ping, but that waves on the water's surface reflect differently in each.
+///
+/// All bearings of the full circle, in equal steps, have one walk each, and a ping takes those that its beams send to:
+/// one that turns has most of its walks in common with those before it. A two-way array sends to all cells, with its
+/// one-way gain there; where that is low, every second, fourth ... walk is taken, with so much more weight.
 ///
 /// A bounce is diffuse (D) or mirrored (M), so that a path is a word of these letters. Each word is counted exactly
 /// once:
@@ -37,10 +42,12 @@ class RandomWalks final : public EchoSource {
   };
 
   struct Settings {
-    int count = 0;                ///< Walks per ping, > 0.
+    int count = 0;                ///< Walks per ping, about, > 0.
     std::vector<int> beams = {};  ///< The plan's beams that walks start in: those of the sonar, without guard cells.
+                                  ///< Of a two-way array all.
     std::uint64_t seed = 1;
     Elsewhere elsewhere = {};
+    SurfaceLabel waves = kNoSurface;  ///< The water's surface, if it has waves.
   };
   explicit RandomWalks(const Settings& settings);
 
@@ -55,7 +62,8 @@ class RandomWalks final : public EchoSource {
     float length = 0;                 // Length of the path so far [m].
     float weight = 0;                 // Solid angle of launched sound that it represents [sr].
     float share = 1;                  // Remaining energy, relative to that launched.
-    std::uint32_t index = 0;          // Selects its random numbers.
+    std::uint32_t index = 0;          // Number of its bearing in the world, which selects its random numbers.
+    int column = 0;                   // Of the lattice, in which it was launched.
     bool first_mirrored = false;      // Whether the first bounce was mirrored.
     SurfaceLabel first_surface = kNoSurface;
     Vec3f first_normal = Vec3f::Zero();
@@ -65,6 +73,14 @@ class RandomWalks final : public EchoSource {
     float coherent = 1;        // Coherent share of the first two bounces; 0 if one was diffuse.
   };
 
+  // The walks that one of the plan's beams launches: every step-th.
+  struct Launch {
+    int beam;
+    std::int64_t step;
+  };
+
+  void choose_steps(const FlatPlan& plan);
+  void launch(const PingView& view, const Launch& from, double offset, RayList& rays);
   void add_clear_legs(std::span<const Hit> legs, EchoList& found) const;
   void bounce_all(const PingView& view, const RayAnswers& hits, RayList& more);
   bool bounce(const FlatPlan& plan, const Hit& hit, int order, Walk& walk);
@@ -75,6 +91,9 @@ class RandomWalks final : public EchoSource {
 
   Settings settings_;
   std::uint64_t number_ = 0;
+  std::vector<Launch> launches_;
+  std::int64_t bearings_ = 1;  // Number of bearings on the full circle, a multiple of all steps.
+  std::int64_t first_ = 0;     // Walks are taken with each step from this bearing on.
   SurfaceLabel water_ = kNoSurface;
   int order_ = 0;            // Surfaces that the active walks will have met after the rays asked for.
   std::size_t walking_ = 0;  // Number of active walks, which come first in walks_ and in the rays asked for.

@@ -80,10 +80,11 @@ void ScattererLattice::divide(const SpeckleViews& views, ScattererRow& row) cons
 // Finds the bearing's lattice, and sets the run's random key.
 ScattererLattice::Axes ScattererLattice::axes_of(int cell, ScattererRow::Run& run) const {
   const SpeckleView& view = *run.view;
-  const int number = static_cast<int>(std::floor((azimuth_[cell] + view.bearing_offset) / cell_width_ + kOffCentre));
+  const int number = static_cast<int>(std::floor((azimuth_[cell] + view.bearings.offset) / cell_width_ + kOffCentre));
   const double bearing = (number + 0.5 - kOffCentre) * cell_width_;
   const double c = std::cos(bearing), s = std::sin(bearing);
-  const Vec3 ahead = c * view.axes.col(0) + s * view.axes.col(1), up = view.axes.col(2), across = up.cross(ahead);
+  const Vec3 ahead = c * view.bearings.axes.col(0) + s * view.bearings.axes.col(1), up = view.bearings.axes.col(2),
+             across = up.cross(ahead);
 
   const double sideways = view.position.dot(across);
   const double strip = std::floor(sideways / kStripWidth + spread_out(7 * number));

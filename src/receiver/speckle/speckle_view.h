@@ -9,19 +9,20 @@
 #include "echo/grid/echo.h"
 #include "insonify/geometry.h"
 #include "receiver/ping_motion.h"
+#include "sonar/bearing_frame.h"
 
 namespace insonify {
 
 /// A transducer's pose in a frame, with the axes in which bearings are measured.
 struct SpeckleView {
-  Vec3 position = Vec3::Zero();                                    ///< [m]
-  Eigen::Matrix3d frame_from_sonar = Eigen::Matrix3d::Identity();  ///< Rotation.
-  /// Columns: directions of bearing 0 and 90 degrees, and their normal; all are axes of the frame. Bearing 0 is x, or z
-  /// if x is nearly normal to the plane of the fan.
-  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-  double bearing_offset = 0;  ///< Bearing in the frame minus bearing in the sonar frame [rad].
+  Vec3 position = Vec3::Zero();      ///< [m]
+  Eigen::Matrix3d frame_from_sonar;  ///< Rotation.
+  BearingFrame bearings;
 
-  explicit SpeckleView(const Pose& frame_from_sonar = {});
+  explicit SpeckleView(const Pose& frame_from_sonar_pose = {})
+      : position(frame_from_sonar_pose.position),
+        frame_from_sonar(frame_from_sonar_pose.orientation.toRotationMatrix()),
+        bearings(frame_from_sonar) {}
 };
 
 /// Poses of a transducer relative to the world and to each displaced object.
