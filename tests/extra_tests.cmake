@@ -96,6 +96,16 @@ if(CMAKE_BUILD_TYPE STREQUAL Release AND NOT INSONIFY_SANITIZE)
   insonify_install_test(install_and_use_static -DUNITY=$<BOOL:${CMAKE_UNITY_BUILD}> -DBUILD_DIR=${PROJECT_BINARY_DIR} -DSOURCE_DIR=${PROJECT_SOURCE_DIR})
 endif()
 
+# Damaged files of all formats, requests and frames: a few of what `./dev fuzz` tries.
+if(INSONIFY_BUILD_APPS)
+  add_test(NAME damaged_inputs
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/damaged_inputs.py $<TARGET_FILE:insonify_cli> --count 150
+            $<$<BOOL:${INSONIFY_SANITIZE}>:--unlimited>)
+  add_test(NAME serve_frames
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/serve_frames.py $<TARGET_FILE:insonify_cli>)
+  set_tests_properties(damaged_inputs serve_frames PROPERTIES ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
+endif()
+
 # What the documentation shows is what happens: every code block runs (tools/run_doc_blocks.py).
 if(BUILD_SHARED_LIBS)
   string(JOIN " " compile ${CMAKE_CXX_COMPILER} -std=c++20

@@ -152,7 +152,7 @@ TEST_F(CompareTest, NumbersOfRecordingsAreMeansOverThePings) {
   EXPECT_NEAR(told.at("psnr_db").get<double>(), (first.psnr_db + second.psnr_db) / 2, kExact);
   EXPECT_NEAR(told.at("controls").at("flat_grey").at("mse").get<double>(), compare_controls(a).flat_grey.mse, kExact);
   EXPECT_THAT(shell("insonify compare a.h5 b.h5").out,
-              HasSubstr("a.h5 and b.h5, sonar fls: 2 pings that both have (a.h5 has 3) of 176 columns x 176 rows; each "
+              HasSubstr("a.h5 and b.h5, sonar fls: 2 pings that both have (a.h5 has 3) of 176 beams x 176 bins; each "
                         "number is the mean over them\n"));
 }
 
@@ -246,7 +246,7 @@ TEST_F(CompareTest, TheRunOfAScenarioIsLikeItselfAndLessLikeAnotherNoise) {
       "2 "
       "&& insonify compare one one && insonify compare one two");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("one/ahead.h5 and two/ahead.h5, sonar ahead: 3 pings of 16 columns x 40 rows"));
+  EXPECT_THAT(outcome.out, HasSubstr("one/ahead.h5 and two/ahead.h5, sonar ahead: 3 pings of 16 beams x 40 bins"));
 }
 
 TEST_F(CompareTest, DifferentRangesAndAperturesAreToldOf) {

@@ -317,6 +317,21 @@ TEST_F(RecordingsCliTest, ARunOnAFullDiskLeavesAFileThatSaysSo) {
   EXPECT_EQ(files(".").count("y.mcap"), 0);
 }
 
+// Damage that only the pings show, after the recording was opened, is wrong input too.
+TEST_F(RecordingsCliTest, DamagedPingsAreWrongInput) {
+  ASSERT_EQ(shell("insonify run fan.yaml -o out -q --no-pictures --pings 3 --record mcap").status, 0);
+  std::string bytes = text_of("out/ahead.mcap");
+  const std::size_t packed = bytes.find("zstd") + 100;  // In the first chunk, behind its head.
+  bytes[packed] = static_cast<char>(bytes[packed] ^ 1);
+  folder.write("bad.mcap", bytes);
+  for (const char* command : {"draw {} -o drawn -f", "replay {} -o drawn -f", "export {} -o a.npz -f"}) {
+    const Outcome outcome = shell("insonify " + fmt::format(fmt::runtime(command), "bad.mcap"));
+    EXPECT_EQ(outcome.status, 2) << command;
+    EXPECT_THAT(outcome.err, testing::MatchesRegex("insonify: bad.mcap: chunk [0-9] is damaged\n")) << command;
+  }
+  EXPECT_FALSE(std::filesystem::exists("a.npz"));
+}
+
 TEST_F(RecordingsCliTest, VerifyReadsEveryPingAndSaysWhichIsDamaged) {
   for (const char* compress : {"", "--compress"}) {
     ASSERT_EQ(
@@ -347,6 +362,9 @@ TEST_F(RecordingsCliTest, VerifyReadsEveryPingAndSaysWhichIsDamaged) {
         EXPECT_EQ(outcome.status, 2);
         EXPECT_THAT(outcome.err,
                     testing::MatchesRegex("(insonify: bad.h5: damaged: [a-z_]+ of ping [0-2]: [^\n]+\n)+"));
+        const Outcome exported = shell("insonify export bad.h5 -o a.npz -f");
+        EXPECT_EQ(exported.status, 2);
+        EXPECT_THAT(exported.err, testing::MatchesRegex("insonify: bad.h5: cannot read [a-z_]+: [^\n]+\n"));
       }
     }
     EXPECT_TRUE(seen);

@@ -1,16 +1,24 @@
 // mesh_fuzzer.cpp -- reads any bytes as a mesh file; the first byte chooses the format.
 
-#include "fuzz_reader.h"
+#include <iterator>
+
+#include "fuzz/fuzzer.h"
 #include "insonify/files.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace insonify;
+namespace insonify::mesh_fuzzer {
+namespace {
+
+void take(fuzz::Bytes bytes) {
   static const fuzz::InputFile file;
   constexpr const char* kNames[] = {"m.obj", "m.stl", "m.dae", "m.ply", "m.gltf", "m.glb"};
-  if (size == 0) {
-    return 0;
+  if (bytes.empty()) {
+    return;
   }
-  const std::filesystem::path path = file.write(kNames[data[0] % std::size(kNames)], fuzz::text_of(data + 1, size - 1));
-  fuzz::expect_error_or_nothing([&] { static_cast<void>(load_mesh(path)); });
-  return 0;
+  const auto path = file.write(kNames[bytes[0] % std::size(kNames)], fuzz::text_of(bytes.subspan(1)));
+  fuzz::expect_error_or_nothing([&] { static_cast<void>(load_mesh(path)); }, path);
 }
+
+const fuzz::Listed kListed("mesh", take);
+
+}  // namespace
+}  // namespace insonify::mesh_fuzzer

@@ -1,19 +1,12 @@
 // oculus_fuzzer.cpp -- takes any bytes as what a client sends to an Oculus, and answers fire messages with images.
 
-#include <cstdlib>
-
-#include "fuzz_reader.h"
+#include "fuzz/fuzzer.h"
 #include "insonify/wire/oculus_sonar.h"
 
+namespace insonify::oculus_fuzzer {
 namespace {
 
-using namespace insonify;
-
-void expect(bool holds) {
-  if (!holds) {
-    std::abort();
-  }
-}
+using fuzz::expect;
 
 // A sonar of 3 beams and 5 bins: what is fuzzed are settings, not sizes.
 struct Sonar {
@@ -41,12 +34,9 @@ void answer(const Sonar& sonar, const OculusFire& fire) {
   expect(encode(result).size() == (fire.layout == 2 ? 202U : 122U) + 6 + result.image.size());
 }
 
-}  // namespace
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+void take(fuzz::Bytes bytes) {
   static const Sonar sonar;
-  const std::span<const std::uint8_t> bytes(data, size);
-  const std::size_t cut = size == 0 ? 0 : data[0] % size;  // Bytes arrive in two pieces.
+  const std::size_t cut = bytes.empty() ? 0 : bytes[0] % bytes.size();  // Bytes arrive in two pieces.
   OculusParser parser;
   std::size_t used = 0;
   for (const auto piece : {bytes.first(cut), bytes.subspan(cut)}) {
@@ -56,6 +46,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       fuzz::expect_error_or_nothing([&] { answer(sonar, decode_fire(*message)); });
     }
   }
-  expect(used + parser.skipped() <= size);
-  return 0;
+  expect(used + parser.skipped() <= bytes.size());
 }
+
+const fuzz::Listed kListed("oculus", take);
+
+}  // namespace
+}  // namespace insonify::oculus_fuzzer

@@ -1,20 +1,13 @@
 // ping360_fuzzer.cpp -- takes any bytes as what a client sends to a Ping360, on the serial line and in a datagram.
 
-#include <cstdlib>
-
-#include "fuzz_reader.h"
+#include "fuzz/fuzzer.h"
 #include "insonify/files.h"
 #include "insonify/wire/ping360_sonar.h"
 
+namespace insonify::ping360_fuzzer {
 namespace {
 
-using namespace insonify;
-
-void expect(bool holds) {
-  if (!holds) {
-    std::abort();
-  }
-}
+using fuzz::expect;
 
 void answer(Ping360& instrument, const PingEvent& event, const Scenario& scenario) {
   const Ping360Answer answer = instrument.take(event);
@@ -47,15 +40,12 @@ void answer(Ping360& instrument, const PingEvent& event, const Scenario& scenari
   }
 }
 
-}  // namespace
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+void take(fuzz::Bytes bytes) {
   static const Scenario scenario = parse_scenario(
       "points: [{position: [3, 0, 0], target_strength_db: -20}]\n"
       "sonars: [{type: msis, beam_count: 1, bin_count: 100, azimuth_aperture_deg: 2, min_range: 0.75, max_range: "
       "20}]\n");
-  const std::span<const std::uint8_t> bytes(data, size);
-  const std::size_t cut = size == 0 ? 0 : data[0] % size;  // Bytes arrive in two pieces.
+  const std::size_t cut = bytes.empty() ? 0 : bytes[0] % bytes.size();  // Bytes arrive in two pieces.
   Ping360 line, datagram;
   PingParser parser;
   for (const auto piece : {bytes.first(cut), bytes.subspan(cut)}) {
@@ -69,5 +59,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   while (const std::optional<PingEvent> event = whole.last()) {
     answer(datagram, *event, scenario);
   }
-  return 0;
 }
+
+const fuzz::Listed kListed("ping360", take);
+
+}  // namespace
+}  // namespace insonify::ping360_fuzzer

@@ -126,12 +126,13 @@ TEST(StrangersFilesTest, ProcessorTimeHasALimit) {
 TEST(StrangersFilesTest, LimitsMustBeNumbers) {
   const WorkingFolder folder;
   folder.write("a.obj", obj_text());
-  for (const std::string word : {"much", "memory", "memory=", "memory=0", "memory=-1", "memory=1x", "rooms=4"}) {
+  for (const std::string word :
+       {"much", "memory", "memory=", "memory=0", "memory=-1", "memory=1x", "memory=nan", "memory=1e19", "rooms=4"}) {
     const Setting limits("INSONIFY_LIMITS", "seconds=9 " + word);
-    EXPECT_EQ(message_of([] { (void)load_mesh("a.obj"); }),
-              "INSONIFY_LIMITS: " + word +
-                  " must be KEY=NUMBER, with a number from 1 and a key of bytes, pixels, nodes, instances, triangles, "
-                  "memory, seconds");
+    EXPECT_EQ(message_of([] { (void)load_mesh("a.obj"); }), "INSONIFY_LIMITS: " + word +
+                                                                " must be KEY=NUMBER, with a number from 1 to 1e18 and "
+                                                                "a key of bytes, pixels, nodes, instances, triangles, "
+                                                                "memory, seconds");
   }
 }
 

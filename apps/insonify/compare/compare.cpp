@@ -217,7 +217,7 @@ Comparison compared(const CompareOptions& options) {
 }  // namespace
 
 void add_compare(const Command& program) {
-  const Command command = program.add("compare", "Compare two recordings or two grey pictures");
+  const Command command = program.add("compare", "Compare two recordings, instruments' files or grey pictures");
   auto& options = command.keep<CompareOptions>();
   command.argument("A", &options.a,
                    fmt::format("Recording ({}), folder of recordings, file of an instrument or arrays ({}), or grey "

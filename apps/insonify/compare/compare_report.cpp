@@ -85,7 +85,8 @@ std::string heading(const Comparison& comparison) {
   if (comparison.is_scan) {
     return text + " of one beam, side by side: " + shape;
   }
-  return text + " of " + shape + (count > 1 ? "; each number is the mean over them" : "");
+  return text + " of " + fmt::format("{} x {}", counted(comparison.columns, "beam"), counted(comparison.rows, "bin")) +
+         (count > 1 ? "; each number is the mean over them" : "");
 }
 
 // The intensities mapped to 0 and 1, unless they are fractions of full scale.

@@ -70,6 +70,20 @@ void check_input(const ExportCommand& options, const std::vector<RecordingPart>&
   });
 }
 
+// Damage that only a ping itself shows is wrong input, as a recording that cannot be opened is.
+void export_checked(const ExportCommand& options, const std::vector<RecordingPart>& parts, const ExportOptions& how) {
+  try {
+    export_recordings(std::span<const RecordingPart>(parts), options.file, how);
+  } catch (const Error& error) {
+    const std::string_view message = error.what();
+    const auto is_of = [&](const std::filesystem::path& file) { return message.starts_with(file.string() + ": "); };
+    if (std::ranges::any_of(options.recordings, is_of)) {
+      throw InputError(error.what());
+    }
+    throw;
+  }
+}
+
 int export_command(const ExportCommand& options) {
   const PictureStyle style = picture_style(options.pictures, EchoModel::kCalibrated, {});
   ExportOptions how{.replace = options.force, .compress = !options.store};
@@ -90,7 +104,7 @@ int export_command(const ExportCommand& options) {
   note_when_asked();
   how.stop = &stop_asked();
   show_status(fmt::format("Writing {} ...", options.file.string()));
-  export_recordings(std::span<const RecordingPart>(parts), options.file, how);
+  export_checked(options, parts, how);
   say("{}\n", options.file.string());
   return kDone;
 }

@@ -152,7 +152,7 @@ int info(const InfoOptions& options) {
 }  // namespace
 
 void add_info(const Command& program) {
-  const Command command = program.add("info", "Describe recordings");
+  const Command command = program.add("info", "Describe recordings and instruments' files, and check them for damage");
   auto& options = command.keep<InfoOptions>();
   command.argument("RECORDING", &options.recordings,
                    fmt::format("Recordings ({}), also unfinished ones (.new), and files of instruments ({})",

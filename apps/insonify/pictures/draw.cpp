@@ -116,13 +116,16 @@ Recorded open_recording(const DrawOptions& options) {
   });
 }
 
+// Damage that only the ping itself shows is wrong input too.
 Ping ping_of(const Recorded& recorded, std::uint64_t number) {
-  Ping ping = recorded.pings.ping(number);
-  if (recorded.style.display.of_counts && !is_foreign(recorded.pings)) {
-    const std::vector<double> counts = recorded.pings.counts(number);
-    ping.counts.assign(counts.begin(), counts.end());
-  }
-  return ping;
+  return checked_input([&] {
+    Ping ping = recorded.pings.ping(number);
+    if (recorded.style.display.of_counts && !is_foreign(recorded.pings)) {
+      const std::vector<double> counts = recorded.pings.counts(number);
+      ping.counts.assign(counts.begin(), counts.end());
+    }
+    return ping;
+  });
 }
 
 // The first ping of a fan sets the scale for all; a picture of a scan shows all pings so far.
@@ -184,7 +187,7 @@ void add_draw_options(const Command& command, DrawOptions& options) {
 }
 
 void add_draw(const Command& program) {
-  const Command command = program.add("draw", "Draw pictures of a recording's pings");
+  const Command command = program.add("draw", "Draw the pings of a recording or of an instrument's file");
   auto& options = command.keep<DrawOptions>();
   command.argument("RECORDING", &options.recording,
                    fmt::format("Recording ({}) that insonify run or export has made, file of an instrument or arrays "

@@ -48,9 +48,9 @@ double number_in(const std::string& word, std::string_view key) {
       std::ranges::any_of(kDefaults, [&](const Entry& entry) { return word.substr(0, equals) == entry.key; });
   char* end = nullptr;
   const double number = equals < word.size() ? std::strtod(&word[equals + 1], &end) : 0;
-  if (!known || end == nullptr || *end != '\0' || !(number >= 1 && number < 1e18)) {
+  if (!known || end == nullptr || *end != '\0' || !(number >= 1 && number <= 1e18)) {
     throw Error(
-        fmt::format("{}: {} must be KEY=NUMBER, with a number from 1 and a key of bytes, pixels, nodes, "
+        fmt::format("{}: {} must be KEY=NUMBER, with a number from 1 to 1e18 and a key of bytes, pixels, nodes, "
                     "instances, triangles, memory, seconds",
                     kSetting, printable(word)));
   }

@@ -11,6 +11,7 @@
 #include "insonify/error.h"
 #include "insonify/printable.h"
 #include "insonify/recorded_pings.h"
+#include "io/file/budgets.h"
 #include "io/file/input_file.h"
 #include "io/file/reader_process.h"
 #include "io/picture/png_reader.h"
@@ -57,8 +58,9 @@ class PgmNumbers {
 DecodedGrey decode_pgm(const std::string& name, std::string_view file) {
   PgmNumbers numbers(name, file);
   DecodedGrey grey;
-  grey.width = numbers.next("width", 1, kMostPixels);
-  grey.height = numbers.next("height", 1, kMostPixels / grey.width);
+  grey.width = numbers.next("width", 1, kLongestGrey);
+  grey.height = numbers.next("height", 1, kLongestGrey);
+  check_budget(Budget::kPixels, static_cast<double>(grey.width) * static_cast<double>(grey.height), name);
   grey.full_scale = numbers.next("greatest level", 1, 65535);
   const std::uint64_t pixels = grey.width * grey.height;
   if (file[1] == '2') {

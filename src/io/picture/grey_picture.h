@@ -12,6 +12,9 @@
 
 namespace insonify {
 
+/// The most pixels in a row or a column.
+inline constexpr std::uint64_t kLongestGrey = std::uint64_t{1} << 30;
+
 /// The levels of a picture, row by row.
 struct DecodedGrey {
   std::uint64_t width = 0, height = 0;
@@ -23,17 +26,13 @@ requires(std::is_same_v<std::remove_const_t<Grey>, DecodedGrey>) [[nodiscard]] a
   return std::tie(grey.width, grey.height, grey.full_scale, grey.levels);
 }
 [[nodiscard]] inline bool fits(const DecodedGrey& grey) {
-  constexpr std::uint64_t kMost = std::uint64_t{1} << 30;  // In a row or a column.
-  return grey.width <= kMost && grey.height <= kMost && grey.width * grey.height == grey.levels.size() &&
+  return grey.width <= kLongestGrey && grey.height <= kLongestGrey && grey.width * grey.height == grey.levels.size() &&
          grey.full_scale >= 1 && std::ranges::all_of(grey.levels, [&](auto level) { return level <= grey.full_scale; });
 }
 
-/// The most pixels that a picture may have.
-inline constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 28;
-
 /// Decodes a JPEG or PGM file (P2, P5) that is in memory.
 /// @param name  The file's name in messages.
-/// @throws Error for one that is not whole, has too many pixels, or is coloured.
+/// @throws Error for one that is not whole, has more pixels than its budget, or is coloured.
 [[nodiscard]] DecodedGrey decode_grey(const std::string& name, std::string_view file);
 
 /// The same of a JPEG file. By libjpeg.

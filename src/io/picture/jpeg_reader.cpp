@@ -11,6 +11,7 @@
 #include <jpeglib.h>
 
 #include "insonify/error.h"
+#include "io/file/budgets.h"
 #include "io/file/input_file.h"
 #include "io/picture/grey_picture.h"
 
@@ -43,15 +44,15 @@ void warn_of_jpeg(j_common_ptr decoder, int level) {
   }
 }
 
-// False on an error, or if there are too many pixels.
-bool decode_pixels(JpegPixels& jpeg, std::string_view file) {
+// False on an error, or if there are more pixels than `most`.
+bool decode_pixels(JpegPixels& jpeg, std::string_view file, double most) {
   jpeg_decompress_struct& decoder = jpeg.decoder;
   if (setjmp(jpeg.errors.back) != 0) {  // NOLINT: as above.
     return false;
   }
   jpeg_mem_src(&decoder, reinterpret_cast<const unsigned char*>(file.data()), file.size());
   jpeg_read_header(&decoder, TRUE);
-  if (std::uint64_t{decoder.image_width} * decoder.image_height > kMostPixels) {
+  if (static_cast<double>(decoder.image_width) * decoder.image_height > most) {
     return false;
   }
   decoder.out_color_space = decoder.num_components == 1 ? JCS_GRAYSCALE : JCS_RGB;
@@ -74,15 +75,15 @@ DecodedGrey decode_jpeg(const std::string& name, std::string_view file) {
   jpeg.errors.base.error_exit = leave_jpeg;
   jpeg.errors.base.emit_message = warn_of_jpeg;
   jpeg_create_decompress(&jpeg.decoder);
-  const bool good = decode_pixels(jpeg, file);
+  const bool good = decode_pixels(jpeg, file, budget(Budget::kPixels));
   const std::uint64_t width = jpeg.decoder.image_width, height = jpeg.decoder.image_height;
   const auto channels = static_cast<std::size_t>(jpeg.decoder.output_components);
   jpeg_destroy_decompress(&jpeg.decoder);
+  if (jpeg.errors.text[0] != '\0') {
+    throw Error(fmt::format("{}: cannot be read: {}", name, foreign_reason(jpeg.errors.text.data())));
+  }
   if (!good) {
-    throw Error(fmt::format("{}: cannot be read: {}", name,
-                            jpeg.errors.text[0] != '\0'
-                                ? foreign_reason(jpeg.errors.text.data())
-                                : fmt::format("{} x {} pixels are too many, at most {}", width, height, kMostPixels)));
+    check_budget(Budget::kPixels, static_cast<double>(width) * static_cast<double>(height), name);
   }
   constexpr int kRounding = 4;  // Grey that was stored as colours comes back this exactly.
   DecodedGrey grey{.width = width, .height = height, .full_scale = 255, .levels = {}};
