@@ -1,16 +1,21 @@
-"""What shadows hold, relative to the lit floor, by three measures.
+"""What shadows hold, relative to the lit floor, by four measures.
 
     shadow_depth.py INSONIFY            # in the project's root, with its scenes built: prints the table of
                                         # docs/concepts/multipath.md, "Shadows"
     shadow_depth.py INSONIFY --check    # mean image alone; exit status 1 unless shadows are 15 to 26 dB deep
+    shadow_depth.py INSONIFY --steel    # by surface of the metal, and behind a boulder: the table of
+                                        # "Smooth steel, and arrays that are not perfect"
 
 same range    median of all cells in shadow, each relative to the median of the lit cells in the same bin
 same beam     each relative to the median of the lit cells in the same beam, most of which are nearer
 as recorded   in windows of WINDOW bins, the mean of the darkest GROUP beams that are all in shadow, relative to the
               median of the groups that are all lit; the median over the windows. So oculus_statistics.py measures the
               shadow that an Oculus has recorded, 15 to 17 dB deep.
+by rows       in each bin with more than 8 beams that are hidden to 98 % and more than 30 that are hidden to less than 2 %,
+              the mean of the former relative to the median of the latter; the median over the bins. Bright cells in a
+              shadow count here, and the edges of shadows, where beams receive from beside them.
 
-The check is of `same range`.
+The check is of `same range`, the table of --steel is `by rows`.
 """
 
 import pathlib
@@ -29,22 +34,60 @@ METALS = {
 MEAN_IMAGE = ["receiver.noise=false", "receiver.speckle=false"]
 NO_LOBES = "receiver.side_lobe_db=-60"
 FEWEST_SHADOW, FEWEST_FLOOR = 3, 20  # Cells of a bin, or of a beam, that count.
+HIDDEN, OPEN = 0.98, 0.02  # Share of a beam; by rows.
 GROUP, WINDOW, FEWEST_LIT = 8, 10, 5  # Beams of a group, bins of a window; groups that are lit.
 SHALLOWEST, DEEPEST = -15, -26  # [dB]
 
+# A boulder on sand before an array of 216 elements, half a wavelength apart.
+BOULDER = {
+    "boulder.sdf": """
+<sdf version="1.9" xmlns:insonify="https://insonify.org/sdf"><world name="boulder">
+  <model name="floor"><static>true</static><link name="link"><visual name="floor">
+    <geometry><plane><normal>0 0 1</normal><size>40 40</size></plane></geometry><insonify:material>sand</insonify:material>
+  </visual></link></model>
+  <model name="boulder"><static>true</static><pose>4 0 0.35 0 0 0</pose><link name="link"><visual name="boulder">
+    <geometry><sphere><radius>0.7</radius></sphere></geometry><insonify:material>rock</insonify:material>
+  </visual></link></model>
+</world></sdf>
+""",
+    "boulder.yaml": """
+world: boulder.sdf
+sonars:
+  - preset: blueprint-oculus-m1200d
+    max_range: 8
+    position: [0, 0, 1]
+    orientation_deg: [0, 15, 0]
+""",
+}
+ELEMENTS = {"ssiv": 130, "ssiv_calibrated": 216, "boulder": 216}  # Half a wavelength apart.
 
-def ping(program, scene, settings):
-    """Intensity, whether in shadow, whether lit: each bins x beams."""
+
+def tables(program, scenario, settings):
+    """Intensity, direct intensity and shadow: each bins x beams."""
     with tempfile.TemporaryDirectory() as folder:
-        command = [program, "run", f"scenes/{scene}_calibrated.yaml", "-o", folder + "/out", "--pings", "1",
-                   "--no-pictures", "-q"]
+        command = [program, "run", str(scenario), "-o", folder + "/out", "--pings", "1", "--no-pictures", "-q"]
         for setting in ["ground_truth=full", *settings]:
             command += ["--set", setting]
         subprocess.run(command, check=True)
         with h5py.File(next(pathlib.Path(folder, "out").glob("*.h5"))) as recording:
             intensity, direct, shadow = (recording[name][0] for name in ("intensity", "direct_intensity", "shadow"))
             assert intensity.shape == (len(recording["range"]), len(recording["azimuth_edges"]) - 1)
+    return intensity, direct, shadow
+
+
+def ping(program, scene, settings):
+    """Intensity, whether in shadow, whether lit: each bins x beams."""
+    intensity, direct, shadow = tables(program, f"scenes/{scene}_calibrated.yaml", settings)
     return intensity, shadow > 0, (direct > 0) & (shadow == 0)
+
+
+def by_rows(intensity, shadow):
+    """Mean of the cells that are hidden relative to the median of the open ones of their row."""
+    depths = []
+    for row, hidden, open_floor in zip(intensity, shadow > HIDDEN, shadow < OPEN):
+        if hidden.sum() > 8 and open_floor.sum() > 30:
+            depths.append(row[hidden].mean() / np.median(row[open_floor]))
+    return np.median(depths)
 
 
 def cells(intensity, dark, lit):
@@ -79,7 +122,35 @@ MEASURES = {
 }
 
 
+def print_by_surface(program):
+    print("| Scene | Surface | Everything on | Mean image | No secondary echoes | Neither noise nor these | Two surfaces at most "
+          "| Element errors of 1 dB and 6° | No secondary echoes, element errors |")
+    print("| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |")
+    with tempfile.TemporaryDirectory() as folder:
+        for name, text in BOULDER.items():
+            pathlib.Path(folder, name).write_text(text, encoding="utf-8")
+        scenes = {"ssiv": "scenes/ssiv.yaml", "ssiv_calibrated": "scenes/ssiv_calibrated.yaml",
+                  "boulder": pathlib.Path(folder, "boulder.yaml")}
+        for scene, scenario in scenes.items():
+            for surface in ["rock"] if scene == "boulder" else ["steel", "corroded_steel", "fouled_steel"]:
+                given = ["model=calibrated"]
+                if surface != "rock":
+                    given += [f"materials.{metal}={surface}" for metal in METALS["ssiv"] if metal != surface]
+                errors = [f"receiver.elements={ELEMENTS[scene]}", "receiver.element_error_db=1",
+                          "receiver.element_error_deg=6"]
+                cases = [[], MEAN_IMAGE, ["secondary=none"], [*MEAN_IMAGE, "secondary=none"], [*MEAN_IMAGE, "max_surfaces=2"],
+                         errors, [*errors, "secondary=none"]]
+                depths = []
+                for case in cases:
+                    intensity, _, shadow = tables(program, scenario, given + case)
+                    depths.append(decibels(by_rows(intensity, shadow)))
+                print(f"| {scene} | {surface} | " + " | ".join(depths) + " |", flush=True)
+
+
 def main(program, *options):
+    if options == ("--steel",):
+        print_by_surface(program)
+        return
     if options == ("--check",):
         depths = {scene: 10 * np.log10(cells(*ping(program, scene, MEAN_IMAGE))) for scene in METALS}
         print(", ".join(f"{scene} {depth:.1f} dB" for scene, depth in depths.items()))
