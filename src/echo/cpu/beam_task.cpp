@@ -19,11 +19,12 @@ void copy_four(const Value* from, Value* to) {
   std::memcpy(to, from, 4 * sizeof(Value));
 }
 
-void set_relief(const HitColumn& hits, int row, const ReliefPoint& relief) {
-  hits.gradient_x[row] = relief.gradient.x();
-  hits.gradient_y[row] = relief.gradient.y();
-  hits.gradient_z[row] = relief.gradient.z();
-  hits.texture[row] = relief.reflectivity;
+// Copies relief from a number of lanes to rows.
+void set_relief(const ReliefLanes& reliefs, int lane, int count, const HitColumn& hits, int row) {
+  std::copy_n(&reliefs.gradient_x[lane], count, &hits.gradient_x[row]);
+  std::copy_n(&reliefs.gradient_y[lane], count, &hits.gradient_y[row]);
+  std::copy_n(&reliefs.gradient_z[lane], count, &hits.gradient_z[row]);
+  std::copy_n(&reliefs.reflectivity[lane], count, &hits.texture[row]);
 }
 
 }  // namespace
@@ -89,20 +90,21 @@ int BeamTask::load_tile(int first_column, int first_row) {
 // there are any hits.
 bool BeamTask::read_tile(int first_row) {
   if (primary_.nothing_hit()) {
-    for (int i = 0; i < kTile; ++i) {
+    reliefs_.flatten();
+    for (const HitColumn& hits : hits_) {
       for (int row = first_row; row < first_row + kTile; ++row) {
-        hits_[i].surface[row] = kNoSurface;
-        hits_[i].range[row] = hits_[i].reflectivity[row] = 0;
-        set_relief(hits_[i], row, {});
+        hits.surface[row] = kNoSurface;
+        hits.range[row] = hits.reflectivity[row] = 0;
       }
+      set_relief(reliefs_, 0, kTile, hits, first_row);
     }
     return false;
   }
   scene_.shade(primary_.rays.hit, shading_);
   if (scene_.reliefs().any()) {
     scene_.add_relief(primary_.rays, shading_, reliefs_);
-    for (int lane = 0; lane < kPacketSize; ++lane) {
-      set_relief(hits_[lane / kTile], first_row + lane % kTile, reliefs_[lane]);
+    for (int i = 0; i < kTile; ++i) {
+      set_relief(reliefs_, i * kTile, kTile, hits_[i], first_row);
     }
   }
   float range[kPacketSize];
@@ -203,18 +205,28 @@ void BeamTask::read_strip(int first_column) {
   }
 }
 
-// Adds relief to a column that was read from the raster.
+// Adds relief to a column that was read from the raster. Writes up to HitStrip::kPadding rows more.
 void BeamTask::add_relief(const HitColumn& hits) {
-  for (int row = 0; row < std::min(hits.rows + 1, plan_->lattice.rows); ++row) {
-    ReliefPoint point;
-    if (hits.surface[row] != kNoSurface) {
-      const Vec3f direction(hits.direction_x[row], hits.direction_y[row], hits.direction_z[row]);
-      const Vec3f normal(hits.normal_x[row], hits.normal_y[row], hits.normal_z[row]);
-      point = scene_.reliefs().at(instance_of(hits.surface[row]), hits.triangle[row],
-                                  sonar_ + hits.range[row] * direction, normal);
+  const int rows = std::min(hits.rows + 1, plan_->lattice.rows);
+  for (int first = 0; first < rows; first += ReliefHits::kLanes) {
+    ReliefHits points;
+    for (int lane = 0; lane < ReliefHits::kLanes; ++lane) {
+      const int row = first + lane;
+      const bool hit = row < rows && hits.surface[row] != kNoSurface;
+      points.instance[lane] = hit ? instance_of(hits.surface[row]) : ReliefHits::kNone;
+      points.triangle[lane] = hits.triangle[row];
+      points.x[lane] = sonar_.x() + hits.range[row] * hits.direction_x[row];
+      points.y[lane] = sonar_.y() + hits.range[row] * hits.direction_y[row];
+      points.z[lane] = sonar_.z() + hits.range[row] * hits.direction_z[row];
+      points.normal_x[lane] = hits.normal_x[row];
+      points.normal_y[lane] = hits.normal_y[row];
+      points.normal_z[lane] = hits.normal_z[row];
     }
-    set_relief(hits, row, point);
-    hits.reflectivity[row] *= point.reflectivity;
+    scene_.reliefs().find(points, reliefs_);
+    set_relief(reliefs_, 0, ReliefHits::kLanes, hits, first);
+    for (int lane = 0; lane < ReliefHits::kLanes; ++lane) {
+      hits.reflectivity[first + lane] *= reliefs_.reflectivity[lane];
+    }
   }
 }
 

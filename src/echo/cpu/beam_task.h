@@ -71,7 +71,7 @@ struct BeamTask {
   SurfaceSums sums_;
 
   std::uint64_t primary_count_ = 0;
-  ReliefPoint reliefs_[kPacketSize];  // Relief at the packet's hits.
+  ReliefLanes reliefs_;  // Relief at the packet's hits.
   RayPacket primary_;
   CpuScene::Shading shading_;
   SecondaryTask secondary_;

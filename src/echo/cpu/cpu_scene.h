@@ -86,7 +86,7 @@ class CpuScene {
 
   /// After shade(): evaluates the relief at the hits of sixteen rays and multiplies reflectivities by it.
   /// @param reliefs  Receives the relief at each hit; flat where nothing was hit.
-  void add_relief(const RTCRayHit16& rays, Shading& shading, ReliefPoint* reliefs) const;
+  void add_relief(const RTCRayHit16& rays, Shading& shading, ReliefLanes& reliefs) const;
 
   /// The same, and tilts the normals.
   void bend_normals(const RTCRayHit16& rays, Shading& shading) const;

@@ -84,33 +84,31 @@ FaceEdges CpuScene::face_edges(SurfaceLabel surface, std::uint32_t triangle, con
   return FaceEdges::of(face, from_corner, part.rotation);
 }
 
-void CpuScene::add_relief(const RTCRayHit16& rays, Shading& shading, ReliefPoint* reliefs) const {
+void CpuScene::add_relief(const RTCRayHit16& rays, Shading& shading, ReliefLanes& reliefs) const {
   const RTCRay16& ray = rays.ray;
+  ReliefHits hits;
   for (int lane = 0; lane < kPacketSize; ++lane) {
-    reliefs[lane] = {};
-    if (shading.surface[lane] == kNoSurface) {
-      continue;
-    }
-    const Vec3f origin(ray.org_x[lane], ray.org_y[lane], ray.org_z[lane]);
-    const Vec3f direction(ray.dir_x[lane], ray.dir_y[lane], ray.dir_z[lane]);
-    reliefs[lane] = reliefs_.at(instance_of(shading.surface[lane]), rays.hit.primID[lane],
-                                origin + ray.tfar[lane] * direction, shading.normal(lane));
-    shading.texture[lane] = reliefs[lane].reflectivity;
-    shading.reflectivity[lane] *= reliefs[lane].reflectivity;
+    const SurfaceLabel surface = shading.surface[lane];
+    hits.instance[lane] = surface == kNoSurface ? ReliefHits::kNone : instance_of(surface);
+    hits.triangle[lane] = rays.hit.primID[lane];
+    hits.x[lane] = ray.org_x[lane] + ray.tfar[lane] * ray.dir_x[lane];
+    hits.y[lane] = ray.org_y[lane] + ray.tfar[lane] * ray.dir_y[lane];
+    hits.z[lane] = ray.org_z[lane] + ray.tfar[lane] * ray.dir_z[lane];
+    hits.normal_x[lane] = shading.normal_x[lane];
+    hits.normal_y[lane] = shading.normal_y[lane];
+    hits.normal_z[lane] = shading.normal_z[lane];
+  }
+  reliefs_.find(hits, reliefs);
+  for (int lane = 0; lane < kPacketSize; ++lane) {
+    shading.texture[lane] = reliefs.reflectivity[lane];
+    shading.reflectivity[lane] *= reliefs.reflectivity[lane];
   }
 }
 
 void CpuScene::bend_normals(const RTCRayHit16& rays, Shading& shading) const {
-  ReliefPoint reliefs[kPacketSize];
+  ReliefLanes reliefs;
   add_relief(rays, shading, reliefs);
-  for (int lane = 0; lane < kPacketSize; ++lane) {
-    if (shading.surface[lane] != kNoSurface) {
-      const Vec3f normal = bent_normal(shading.normal(lane), reliefs[lane].gradient);
-      shading.normal_x[lane] = normal.x();
-      shading.normal_y[lane] = normal.y();
-      shading.normal_z[lane] = normal.z();
-    }
-  }
+  reliefs.bend(shading.normal_x, shading.normal_y, shading.normal_z);
 }
 
 }  // namespace insonify

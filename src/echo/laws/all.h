@@ -3,6 +3,7 @@
 // clang-format off
 #include "echo/laws/prelude.h"
 #include "echo/laws/absorption.h"
+#include "echo/laws/relief.h"
 #include "echo/laws/hit_footprint.h"
 #include "echo/laws/normal_turn.h"
 #include "echo/laws/selection.h"

@@ -5,6 +5,7 @@
 #ifdef __cplusplus
 
 using std::abs;
+using std::floor;
 using std::max;
 using std::min;
 using std::sqrt;
