@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/rotation_between.h"
 #include "insonify/field.h"
 #include "insonify/mesh.h"
 
@@ -266,7 +267,7 @@ Mesh make_plane(const Vec3& normal, double size_x, double size_y) {
   const Vec3 up = normal.normalized();
   // The shortest rotation from z to the normal; for a normal straight down, half a turn about x.
   const Eigen::Quaterniond turn =
-      up.z() > -1 + 1e-12 ? Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), up) : Eigen::Quaterniond(0, 1, 0, 0);
+      up.z() > -1 + 1e-12 ? rotation_between(Vec3::UnitZ(), up) : Eigen::Quaterniond(0, 1, 0, 0);
   Mesh mesh;
   add_rectangle(mesh, Vec3::Zero(), turn * Vec3(size_x / 2, 0, 0), turn * Vec3(0, size_y / 2, 0));
   return mesh;

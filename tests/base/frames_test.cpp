@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "base/rotation_between.h"
 #include "insonify/geometry.h"
 #include "support/relative.h"
 
@@ -102,6 +104,27 @@ TEST(PoseTest, InverseUndoesIt) {
   const Pose pose{{1, -2, 3}, orientation_from_rpy(0.3, -0.7, 2.1)};
   const Vec3 point(4, 5, -6);
   EXPECT_LE((pose.inverse() * (pose * point) - point).norm(), 16 * kRounding);
+}
+
+TEST(RotationBetweenTest, TurnsOneToTheOtherTheShortWay) {
+  for (const Vec3& from : {Vec3(1, 0, 0), Vec3(0.2, -3, 0.5), Vec3(0, 0, -1e-3)}) {
+    for (const Vec3& to : {Vec3(1, 2, 3), Vec3(-0.2, 3, -0.3), Vec3(-2, 0, 0), Vec3(0.4, -6, 1), Vec3(0, 0, 7)}) {
+      const Eigen::Quaterniond turn = rotation_between(from, to);
+      EXPECT_LE((turn * from.normalized() - to.normalized()).norm(), 1e-11)
+          << from.transpose() << " " << to.transpose();
+      EXPECT_NEAR(2 * std::acos(std::min(1.0, turn.w())), std::atan2(from.cross(to).norm(), from.dot(to)), 1e-7);
+    }
+  }
+}
+
+// Opposite directions leave the axis open: half a turn about some normal.
+TEST(RotationBetweenTest, HalfATurnBetweenOpposites) {
+  for (const Vec3& from : {Vec3(0, 0, 1), Vec3(1, 2, -3), Vec3(-1e5, 0, 0)}) {
+    const Eigen::Quaterniond turn = rotation_between(from, -2 * from);
+    EXPECT_EQ(turn.w(), 0);
+    EXPECT_NEAR(turn.norm(), 1, kRounding);
+    EXPECT_LE((turn * from.normalized() + from.normalized()).norm(), 4 * kRounding);
+  }
 }
 
 }  // namespace

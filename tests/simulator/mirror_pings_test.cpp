@@ -1,6 +1,7 @@
 // mirror_pings_test.cpp -- echoes that are computed on objects and by mirrors (glints of plane faces, corners, ghosts
 // of points, ways back by the water) do not depend on batches, threads and other sonars.
 
+#include "base/rotation_between.h"
 #include "echo/trihedral.h"
 #include "simulator/small_world.h"
 
@@ -35,8 +36,7 @@ Scene room(double rms_height = 2e-5) {
                     .add("wall", make_plane(-Vec3::UnitX(), 16, 16), {.position = {8, 0, 0}})
                     .add("side", make_plane(-Vec3::UnitY(), 16, 16), {.position = {0, 4, 0}})
                     .add("corner", trihedral(0.3, true),
-                         {.position = {6, -2, -1},
-                          .orientation = Eigen::Quaterniond::FromTwoVectors(Vec3::Ones(), -Vec3(6, -2, -1))})
+                         {.position = {6, -2, -1}, .orientation = rotation_between(Vec3::Ones(), -Vec3(6, -2, -1))})
                     .scene();
   for (Material& material : scene.materials) {
     material.reflection = 0.7;
@@ -111,7 +111,7 @@ TEST_P(MirrorPingsTest, AreTheSameWhenAnObjectMoves) {
   Simulator together(scenario_of(GetParam()), room(), kThreads, movable);
   Simulator alone(scenario_of(GetParam()), room(), 1, movable);
   std::vector<PingRequest> asked = requests();
-  const Pose moved{{5, -1, -0.5}, Eigen::Quaterniond::FromTwoVectors(Vec3::Ones(), -Vec3(5, -1, -0.5))};
+  const Pose moved{{5, -1, -0.5}, rotation_between(Vec3::Ones(), -Vec3(5, -1, -0.5))};
   asked[2].moved = asked[3].moved = {{.name = "corner", .world_from_object = moved}};
   std::vector<Ping> pings(asked.size());
   together.ping(0, asked, pings);

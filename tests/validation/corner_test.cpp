@@ -4,6 +4,7 @@
 #include <complex>
 #include <numbers>
 
+#include "base/rotation_between.h"
 #include "echo/trihedral.h"
 #include "validation/calibrated_scene.h"
 #include "validation/walk_scene.h"
@@ -17,7 +18,7 @@ constexpr double kFrequency = 430e3, kSpeed = 1480, kEdge = 0.12, kRange = 8.3;
 
 // At a place, with its axis of symmetry towards the origin.
 Pose facing_sonar(const Vec3& place) {
-  return {.position = place, .orientation = Eigen::Quaterniond::FromTwoVectors(Vec3::Ones(), -place)};
+  return {.position = place, .orientation = rotation_between(Vec3::Ones(), -place)};
 }
 
 const Vec3 kPlace = kRange * Vec3(std::cos(0.3), std::sin(0.3), 0.05).normalized();

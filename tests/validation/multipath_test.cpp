@@ -1,6 +1,7 @@
 // multipath_test.cpp -- echoes by way of mirrors: ghosts in the sea surface, corners, reciprocity (T9, T10, T21 of
 // docs/concepts/physics-tests.md). Expected ranges and levels are those of image sources, computed independently.
 
+#include "base/rotation_between.h"
 #include "validation/secondary_grid.h"
 
 namespace insonify::validation::multipath_test {
@@ -228,7 +229,7 @@ TEST_P(MultipathTest, SpheresSpreadSoundBothWays) {
   sonar.elevation_center = elevation;
   sonar.sampling = {16, 400};
   const double side = 0.3;
-  const Eigen::Quaterniond facing = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitX(), -reflected);
+  const Eigen::Quaterniond facing = rotation_between(Vec3::UnitX(), -reflected);
   const Scene scene = scene_of_all({sphere_at(centre, a, glinting(0.9, 0.005), 0.05),
                                     scene_of(make_plane(Vec3::UnitX(), side, side), diffuse(-20),
                                              {.position = mirror + across * reflected, .orientation = facing})});

@@ -2,6 +2,7 @@
 // every single ping, wherever they lie among the samples, against closed formulas and integrals over their surface. All
 // numbers were derived independently of this code.
 
+#include "base/rotation_between.h"
 #include "validation/small_targets.h"
 
 namespace insonify::validation::thin_target_test {
@@ -62,7 +63,7 @@ Material rope_material(double slope, double lambert_db) {
 
 Scene rod_at(double radius, double length, const Vec3& middle, const Vec3& axis, const Material& material) {
   return scene_of(make_cylinder(radius, length), material,
-                  {.position = middle, .orientation = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), axis)});
+                  {.position = middle, .orientation = rotation_between(Vec3::UnitZ(), axis)});
 }
 
 class ThinTargetTest : public testing::TestWithParam<Method> {};
@@ -147,10 +148,10 @@ TEST_P(ThinTargetEffectTest, MoveWithTheirObjects) {
   scene.instances[0].world_from_mesh.position = {3, 5, 2};
   Simulator simulator(calibrated(small_sonar(15), GetParam()), scene, 2);
   PingRequest request;
-  request.moved = {{.instance = 0,
-                    .world_from_object = {.position = kPlace,
-                                          .orientation = Eigen::Quaterniond::FromTwoVectors(
-                                              Vec3::UnitZ(), Vec3(0.2, 1, 0.5).normalized())}}};
+  request.moved = {
+      {.instance = 0,
+       .world_from_object = {.position = kPlace,
+                             .orientation = rotation_between(Vec3::UnitZ(), Vec3(0.2, 1, 0.5).normalized())}}};
   EXPECT_NEAR(total_db(simulator.ping(0, request)), rope_db(Vec3(0.2, 1, 0.5).normalized()), kMeanTolerance);
   request.moved[0].world_from_object.position = {12, 20, 0};
   EXPECT_EQ(whole(simulator.ping(0, request)), 0);

@@ -1,6 +1,7 @@
 // water_return_test.cpp -- echoes out by a mirror and back by the water's surface, against image sources
 // (docs/concepts/multipath.md, "Return over the water's surface").
 
+#include "base/rotation_between.h"
 #include "validation/calibrated_scene.h"
 #include "validation/walk_scene.h"
 
@@ -20,7 +21,7 @@ Scene wall() {
 }
 
 Scene plate() {
-  const Pose pose{.position = kPlate, .orientation = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), kNormal)};
+  const Pose pose{.position = kPlate, .orientation = rotation_between(Vec3::UnitZ(), kNormal)};
   return scene_of(make_plane(Vec3::UnitZ(), kSide, kSide), diffuse(kLambertDb), pose);
 }
 

@@ -5,6 +5,8 @@
 #include <cassert>
 #include <numeric>
 
+#include "base/rotation_between.h"
+
 namespace insonify {
 namespace {
 
@@ -28,7 +30,7 @@ Vec3 polygon_normal(std::span<const Vec3f> corners) {
 
 // Projected onto the polygon's plane, seen from the side where it winds counter-clockwise.
 std::vector<Point> flattened(std::span<const Vec3f> corners) {
-  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(polygon_normal(corners), Vec3::UnitZ());
+  const Eigen::Quaterniond turn = rotation_between(polygon_normal(corners), Vec3::UnitZ());
   std::vector<Point> points;
   points.reserve(corners.size());
   for (const Vec3f& corner : corners) {
