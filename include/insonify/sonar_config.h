@@ -65,9 +65,11 @@ struct SonarConfig {
   std::string model;           ///< Make and model of the instrument, for titles; may be empty.
   SonarType type = SonarType::kForwardLooking;
 
-  double frequency = 720e3;      ///< Carrier frequency [Hz], in (0, 1e8].
-  double source_level_db = 200;  ///< SL on the acoustic axis [dB re 1 uPa at 1 m], 100..260.
-  double bandwidth = 25e3;       ///< Receiver bandwidth, for noise, without a pulse [Hz], in (0, 1e8].
+  double frequency = 720e3;                  ///< Carrier frequency [Hz], in (0, 1e8].
+  double source_level_db = 200;              ///< SL on the acoustic axis [dB re 1 uPa at 1 m], 100..260.
+  double bandwidth = 25e3;                   ///< Receiver bandwidth, for noise, without a pulse [Hz], in (0, 1e8].
+  std::optional<double> self_noise_db = {};  ///< Noise of its electronics, as the isotropic noise of the water that
+                                             ///< would be as strong [dB re 1 uPa^2/Hz], -100..200; absent: none.
 
   // What the instrument transmits; ReceiverConfig::pulse may replace it.
   PulseKind pulse = PulseKind::kNone;  ///< kNone: as long as a bin. Not kInstrument.
@@ -97,8 +99,14 @@ struct SonarConfig {
   BeamPattern transmit_elevation_pattern = BeamPattern::kInstrument;  ///< Transmit pattern; kInstrument: the
                                                                       ///< receiver's.
   std::optional<double> transmit_elevation_aperture =
-      {};                      ///< Height of the transmitter's pattern, as elevation_aperture
-                               ///< [rad], in (0, 170 deg]; absent: elevation_aperture.
+      {};  ///< Height of the transmitter's pattern, as elevation_aperture
+           ///< [rad], in (0, 170 deg]; absent: elevation_aperture.
+
+  // Independent errors of the parts, half a wavelength long, of the arrays across elevations: levels are those that
+  // arrays with such errors have on average.
+  double elevation_element_error_db = 0;  ///< Standard deviation of amplitudes [dB], 0..20.
+  double elevation_element_error = 0;     ///< Standard deviation of phases [rad], 0..180 deg.
+
   bool two_way_array = false;  ///< Whether the array that makes the beam transmits it too, so that azimuth_pattern
                                ///< applies both ways; one beam only. That of a scanning head always does.
   std::optional<double> transmit_width = {};  ///< Full azimuth width at half power of the transmitter of a fan
@@ -139,7 +147,8 @@ struct SonarConfig {
 
   // Time.
   std::optional<double> assumed_sound_speed;  ///< Converts time to range [m/s], 1300..1700; absent: the true one.
-  Steering steering = Steering::kElectronic;  ///< kElectronic: bearings depend on assumed_sound_speed too. Fans only.
+  Steering steering = Steering::kElectronic;  ///< kElectronic: bearings depend on assumed_sound_speed too. kLens: beams
+                                              ///< have transducers of their own, of independent noise. Fans only.
   std::optional<double> ping_period;          ///< Time between pings [s], 2 max_range / c (when absent) to 1e6.
 
   RotatingScan head;  ///< How the head turns; scanning sonars only.

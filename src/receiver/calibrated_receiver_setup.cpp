@@ -166,11 +166,13 @@ void CalibratedReceiver::set_up_noise(const SetUp& parts) {
   }
   isotropic_noise_ = static_cast<float>(noise_intensity(sonar, isotropic, parts.pulse));
   noise_deviation_.assign(static_cast<std::size_t>(beams_), std::sqrt(0.5F * isotropic_noise_));
+  // Beams of a lens have a transducer and an amplifier each, whose noises are independent.
+  const bool has_common_array = parts.perfect && sonar.steering != Steering::kLens;
   noise_.emplace(NoiseField::Settings{.beams = beams_,
                                       .bins = bins_,
                                       .pulse = parts.pulse,
                                       .bin_length = sonar.bin_length(),
-                                      .array = parts.perfect ? &*parts.perfect : nullptr,
+                                      .array = has_common_array ? &*parts.perfect : nullptr,
                                       .length = parts.length,
                                       .beam_sines = parts.beam_sines,
                                       .seed = seed_});

@@ -41,13 +41,6 @@ SonarConfig steered_by_water(const Scenario& scenario, const SonarConfig& sonar)
   return steered;
 }
 
-std::optional<ArraySettings> elevation_array(BeamPattern pattern, double side_lobe_db, double aperture) {
-  if (pattern == BeamPattern::kTopHat) {
-    return {};
-  }
-  return line_array(pattern, side_lobe_db, aperture);
-}
-
 // The transmitter across elevations; none where it is as the receiver.
 std::optional<ElevationWay> sent_across(const ReceiverConfig& receiver, const SonarConfig& sonar) {
   const BeamPattern pattern = sonar.sent_elevation_pattern(receiver);
@@ -55,7 +48,7 @@ std::optional<ElevationWay> sent_across(const ReceiverConfig& receiver, const So
   if (pattern == sonar.elevation_pattern_beside(receiver) && aperture == sonar.elevation_aperture) {
     return {};
   }
-  return ElevationWay{elevation_array(pattern, receiver.side_lobe_db, aperture), aperture};
+  return ElevationWay{elevation_array(pattern, aperture, receiver, sonar), aperture};
 }
 
 // One-way gains of a two-way array in its cells, as BearingResponse has them both ways.
@@ -135,8 +128,8 @@ SimulatedSonar::SimulatedSonar(const Scenario& scenario, const SonarConfig& sona
                          .model = scenario.model,
                          .paper = scenario.paper,
                          .materials = materials,
-                         .elevation_array = elevation_array(steered.elevation_pattern_beside(beams), beams.side_lobe_db,
-                                                            steered.elevation_aperture),
+                         .elevation_array = elevation_array(steered.elevation_pattern_beside(beams),
+                                                            steered.elevation_aperture, beams, steered),
                          .sent_across = sent_across(beams, steered),
                          .array_gains = calibrated ? array_gains(beams, steered, cells) : std::vector<float>{},
                          .primary = scenario.primary,

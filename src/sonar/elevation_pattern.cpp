@@ -14,33 +14,56 @@ constexpr double kLobeStep = 0.02;                  // Search step [wavelength /
 constexpr double kWidest = 0.5 * std::numbers::pi;  // Largest angle off the axis [rad].
 
 // The angle off the axis beyond which the pattern stays below the floor; at most `edge` [rad].
-double outermost(const ArrayPattern& pattern, double length, double floor, double edge) {
-  const double step = kLobeStep / length;
+double outermost(const VerticalArray& array, double floor, double edge) {
+  const double step = kLobeStep / array.length();
   double u = std::sin(edge);
-  if (pattern.intensity(length * u) >= floor) {
+  if (array.intensity(u) >= floor) {
     return edge;
   }
-  while (u > 0 && pattern.intensity(length * (u - step)) < floor) {
+  while (u > 0 && array.intensity(u - step) < floor) {
     u -= step;
   }
   return std::asin(std::max(u, 0.0));
 }
 
+// exp(a^2 + f^2) - 1: power that errors scatter, re the power that they leave in phase.
+double scattered_share(const ArraySettings& array) {
+  const double amplitude = array.element_error_db * std::numbers::ln10 / 20;
+  return std::expm1(amplitude * amplitude + array.element_error * array.element_error);
+}
+
 }  // namespace
 
-ElevationPattern::ElevationPattern(const ArraySettings& array, double aperture, double center, double floor_db) {
+VerticalArray::VerticalArray(const ArraySettings& array, double aperture)
+    : pattern_(
+          {.window = array.window, .side_lobe_db = array.side_lobe_db, .nbar = array.nbar, .elements = array.elements}),
+      length_(pattern_.length(1, aperture)) {
   assert(!array.two_way);
-  const ArrayPattern pattern(array);
-  const double length = pattern.length(1, aperture), floor = std::pow(10, floor_db / 10);
-  const double low = center - outermost(pattern, length, floor, std::min(kWidest, kSteepestElevation + center));
-  high_ = center + outermost(pattern, length, floor, std::min(kWidest, kSteepestElevation - center));
+  const double parts = std::max(1.0, 2 * length_);
+  scattered_ = scattered_share(array) / (parts * pattern_.taper_efficiency());
+}
+
+double VerticalArray::intensity(double sine) const {
+  const double perfect = pattern_.intensity(length_ * sine);
+  if (scattered_ == 0) {
+    return perfect;
+  }
+  const double x = 0.5 * std::numbers::pi * sine, part = x == 0 ? 1 : std::sin(x) / x;
+  return (perfect + scattered_ * part * part) / (1 + scattered_);
+}
+
+ElevationPattern::ElevationPattern(const ArraySettings& array, double aperture, double center, double floor_db) {
+  const VerticalArray vertical(array, aperture);
+  const double floor = std::pow(10, floor_db / 10);
+  const double low = center - outermost(vertical, floor, std::min(kWidest, kSteepestElevation + center));
+  high_ = center + outermost(vertical, floor, std::min(kWidest, kSteepestElevation - center));
   axis_ = {low, kTableSteps / (high_ - low)};
 
   intensity_.resize(kTableSteps + 1);
   envelope_.resize(kTableSteps + 1);
   for (int i = 0; i <= kTableSteps; ++i) {
     const double elevation = low + i / axis_.steps_per_radian;
-    intensity_[i] = static_cast<float>(pattern.intensity(length * std::sin(elevation - center)));
+    intensity_[i] = static_cast<float>(vertical.intensity(std::sin(elevation - center)));
     envelope_[i] = static_cast<float>(std::sqrt(std::max(static_cast<double>(intensity_[i]), floor)));
   }
   // The axis lies within the sector: elevation_center is nearer to level than the steepest elevation.

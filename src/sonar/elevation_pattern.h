@@ -20,20 +20,39 @@ struct PatternAxis {
   [[nodiscard]] double look_up(const std::vector<float>& table, double elevation) const;
 };
 
-/// One-way intensity gain |p|^2 of a vertical line array:
+/// One-way intensity gain of a vertical line array, 1 on its axis. Without errors it is |g|^2 of x = (L / wavelength)
+/// u, where g is ArrayPattern's, u the sine of the angle off the axis, and the length L makes the width at half power
+/// equal to the aperture. With independent errors of N = 2 L / wavelength parts, it is the mean over arrays:
 ///
-///     p(elevation) = g((L / wavelength) sin(elevation - elevation_center))
+///     (|g|^2 + k sinc^2(u / 2)) / (1 + k),   k = (exp(a^2 + f^2) - 1) / (N taper efficiency)
 ///
-/// where g is ArrayPattern's and the length L makes the width at half power equal to the elevation aperture. The array
-/// is baffled: the gain is 0 more than 90 degrees off its axis. Values are interpolated in a table, with an error of at
-/// most 1e-4 of the peak.
+/// where a and f are the standard deviations of the logarithm of amplitude and of phase, and sinc^2(u / 2) is the
+/// pattern of one part (J. Ruze, Nuovo Cimento 9, suppl. 3, 364 (1952); Van Trees, Optimum Array Processing (2002),
+/// section 2.6.3).
+class VerticalArray {
+ public:
+  /// @param array     Window, one way, and errors: element_error_db and element_error, for a continuous line too.
+  /// @param aperture  Width at half power without errors [rad].
+  VerticalArray(const ArraySettings& array, double aperture);
+
+  [[nodiscard]] double length() const { return length_; }  ///< L [wavelengths].
+  [[nodiscard]] double intensity(double sine) const;       ///< Gain at u.
+
+ private:
+  ArrayPattern pattern_;
+  double length_;
+  double scattered_;  // k.
+};
+
+/// VerticalArray over elevation, around elevation_center. The array is baffled: the gain is 0 more than 90 degrees off
+/// its axis. Values are interpolated in a table, with an error of at most 1e-4 of the peak.
 class ElevationPattern {
  public:
   /// Two-way gain re the peak below which elevations are not sampled [dB].
   static constexpr double kFloorDb = -40;
 
-  /// @param array     The array's window, one way.
-  /// @param aperture  Its width at half power [rad].
+  /// @param array     As VerticalArray's.
+  /// @param aperture  As VerticalArray's [rad].
   /// @param center    Its direction: SonarConfig::elevation_center [rad].
   /// @param floor_db  One-way gain re the peak below which elevations do not count [dB].
   ElevationPattern(const ArraySettings& array, double aperture, double center, double floor_db = 0.5 * kFloorDb);

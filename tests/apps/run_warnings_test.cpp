@@ -110,6 +110,13 @@ TEST_F(CliTest, KeysOfArraysCountsAndSpeckleThatDoNotActAreToldOf) {
   EXPECT_EQ(told("--set receiver.azimuth_pattern=top_hat --set receiver.elements=64"),
             "insonify: warning: --set receiver.elements=64: receiver.elements has no effect unless azimuth_pattern is "
             "that of an array\n");
+  EXPECT_EQ(told("--set sonars.ahead.elevation_element_error_deg=10"),
+            "insonify: warning: --set sonars.ahead.elevation_element_error_deg=10: "
+            "sonars[0].elevation_element_error_deg has no effect unless an elevation pattern is that of an array\n");
+  EXPECT_EQ(told("--set sonars.ahead.elevation_element_error_deg=10 --set sonars.ahead.elevation_pattern=hann"), "");
+  EXPECT_EQ(told("--set sonars.ahead.self_noise_db=60"),
+            "insonify: warning: --set sonars.ahead.self_noise_db=60: sonars[0].self_noise_db has no effect unless "
+            "receiver.noise is true\n");
   EXPECT_EQ(told("--set sonars.ahead.bits=12"),
             "insonify: warning: --set sonars.ahead.bits=12: sonars[0].bits has no effect unless receiver.counts is "
             "true\n");

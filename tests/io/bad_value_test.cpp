@@ -109,6 +109,12 @@ const BadScenario kCases[] = {
     {"InstrumentsPatternOfTheInstrument", "world: floor.obj\nsonars: [{name: fls, elevation_pattern: instrument}]\n",
      "scenario.yaml:2:22: sonars[0].elevation_pattern = instrument must be top_hat or a window: it is the "
      "instrument's"},
+    {"ErrorsAcrossElevationsTooLarge", "world: floor.obj\nsonars: [{name: fls, elevation_element_error_db: 21}]\n",
+     "scenario.yaml:2:22: sonars[0].elevation_element_error_db = 21 dB must be from 0 to 20 dB"},
+    {"ErrorsOfMoreThanHalfATurn", "world: floor.obj\nsonars: [{name: fls, elevation_element_error_deg: 181}]\n",
+     "scenario.yaml:2:22: sonars[0].elevation_element_error_deg = 181 deg must be from 0 to 180 deg"},
+    {"SelfNoiseTooLoud", "world: floor.obj\nsonars: [{name: fls, self_noise_db: 201}]\n",
+     "scenario.yaml:2:22: sonars[0].self_noise_db = 201 dB must be from -100 to 200 dB"},
     {"TransmitterOfAHead",
      "world: floor.obj\nsonars: [{name: head, type: msis, beam_count: 1, transmit_width_deg: 60}]\n",
      "scenario.yaml:2:50: sonars[0].transmit_width_deg belongs to a fan; this one's type is msis, whose "

@@ -146,6 +146,17 @@ INSTANTIATE_TEST_SUITE_P(All, SheetTest, testing::ValuesIn(kSheets), [](const au
   return name;
 });
 
+// Counts of the ARIS are 0 to 80 dB (Sound Metrics, aris-file-sdk), those of the DIDSON 0 to 90 dB (Echoview).
+TEST(PresetTest, CountsOfTheLensesHaveTheirPublishedRange) {
+  for (const auto& [name, range_db] : {std::pair{"soundmetrics-aris-explorer-3000", 80.0},
+                                       {"soundmetrics-aris-explorer-1800", 80.0},
+                                       {"soundmetrics-didson", 90.0}}) {
+    const SonarConfig sonar = load_preset(name).sonar;
+    EXPECT_EQ(sonar.mapping, Mapping::kLogarithmic);
+    EXPECT_EQ(sonar.mapping_range_db, range_db) << name;
+  }
+}
+
 // Half power at the edges of the fan; elements half a wavelength wide: sinc^2(0.5 u) is a half at u = 0.8859. Lenses
 // send and receive each beam alone.
 TEST(PresetTest, FansHaveTransmittersAndElements) {
@@ -154,6 +165,8 @@ TEST(PresetTest, FansHaveTransmittersAndElements) {
       SCOPED_TRACE(name + " " + mode);
       const SonarConfig sonar = load_preset(name, mode).sonar;
       EXPECT_EQ(sonar.elevation_pattern, BeamPattern::kRectangular);
+      EXPECT_EQ(sonar.elevation_element_error_db, 1);
+      EXPECT_NEAR(degrees_from_radians(sonar.elevation_element_error), 10, kSheetTolerance);
       const bool fan = sonar.type == SonarType::kForwardLooking && sonar.steering == Steering::kElectronic;
       ASSERT_EQ(sonar.transmit_width.has_value(), fan);
       ASSERT_EQ(sonar.element_width.has_value(), fan);

@@ -23,6 +23,11 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
               "Bandwidth of the receiver, which sets the noise if the pulse is none (calibrated model).",
               ActsIn::kCalibrated, "paper.additive_deviation"},
         self.bandwidth);
+  visit(Field{"self_noise_db", "dB", from_to(-100, 200),
+              "Spectrum level of the instrument's own noise, added to the water's, re 1 uPa^2/Hz of isotropic noise "
+              "(calibrated model); none when absent.",
+              ActsIn::kCalibrated, "paper.additive_deviation"},
+        self.self_noise_db);
   visit(Field{"pulse",
               "",
               {},
@@ -79,6 +84,15 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
               "absent (calibrated model).",
               ActsIn::kCalibrated},
         self.transmit_elevation_aperture);
+  visit(
+      Field{"elevation_element_error_db", "dB", from_to(0, 20),
+            "Standard deviation of the amplitudes of the half-wavelength parts of the arrays across elevations, which "
+            "fills the pattern's nulls (calibrated model).",
+            ActsIn::kCalibrated},
+      self.elevation_element_error_db);
+  visit(Field{"elevation_element_error", "rad", from_to(0, kPi), "Standard deviation of their phases.",
+              ActsIn::kCalibrated},
+        self.elevation_element_error);
   visit(Field{"two_way_array",
               "",
               {},
@@ -158,7 +172,8 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
   visit(Field{"steering",
               "",
               {},
-              "electronic (a fan's bearings depend on the assumed sound speed too) or lens (calibrated).",
+              "electronic (a fan's bearings depend on the assumed sound speed too) or lens (each beam has its own "
+              "transducer, whose noise is independent) (calibrated).",
               ActsIn::kCalibrated},
         self.steering);
   visit(Field{"ping_period", "s", above_to(0, 1e6), "Time between pings; 2 max_range / c when absent, and never less."},

@@ -30,6 +30,11 @@ struct Condition {
 bool has_set_side_lobes(BeamPattern pattern) {
   return pattern == BeamPattern::kTaylor || pattern == BeamPattern::kDolphChebyshev;
 }
+bool has_array_across(const Received& with) {
+  return with.sonar.elevation_pattern_beside(with.receiver) != BeamPattern::kTopHat ||
+         with.sonar.sent_elevation_pattern(with.receiver) != BeamPattern::kTopHat;
+}
+constexpr const char* kNeedsArrayAcross = "an elevation pattern is that of an array";
 bool has_array(const Received& with) {
   return with.receiver.azimuth_pattern != BeamPattern::kTopHat;
 }
@@ -68,7 +73,7 @@ constexpr std::array<Condition, 16> kOfReceiver = {
 bool steers_by_delays(const Received& with) {
   return !with.sonar.scans() && with.sonar.azimuth_aperture <= std::numbers::pi;
 }
-constexpr std::array<Condition, 18> kOfSonar = {
+constexpr std::array<Condition, 21> kOfSonar = {
     {{"bits", [](const Received& r) { return r.receiver.counts; }, "receiver.counts is true"},
      {"mapping", [](const Received& r) { return r.receiver.counts; }, "receiver.counts is true"},
      {"mapping_range_db",
@@ -79,6 +84,9 @@ constexpr std::array<Condition, 18> kOfSonar = {
      {"crosstalk_db", [](const Received& r) { return r.sonar.beam_count > 1; }, "there are several beams"},
      {"elevation_pattern", [](const Received& r) { return r.receiver.elevation_pattern == BeamPattern::kInstrument; },
       "receiver.elevation_pattern is instrument"},
+     {"elevation_element_error_db", has_array_across, kNeedsArrayAcross},
+     {"elevation_element_error_deg", has_array_across, kNeedsArrayAcross},
+     {"self_noise_db", [](const Received& r) { return r.receiver.noise; }, "receiver.noise is true"},
      {"two_way_array", has_array, "receiver.azimuth_pattern is that of an array"},
      {"azimuth_resolution_deg", [](const Received& r) { return r.receiver.azimuth_pattern != BeamPattern::kTopHat; },
       "receiver.azimuth_pattern is that of an array"},

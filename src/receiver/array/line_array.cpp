@@ -64,6 +64,17 @@ ArraySettings line_array(BeamPattern pattern, double side_lobe_db, double beam_w
   return settings;
 }
 
+std::optional<ArraySettings> elevation_array(BeamPattern pattern, double aperture, const ReceiverConfig& receiver,
+                                             const SonarConfig& sonar) {
+  if (pattern == BeamPattern::kTopHat) {
+    return {};
+  }
+  ArraySettings array = line_array(pattern, receiver.side_lobe_db, aperture);
+  array.element_error_db = sonar.elevation_element_error_db;
+  array.element_error = sonar.elevation_element_error;
+  return array;
+}
+
 ArraySettings azimuth_array(const ReceiverConfig& receiver, const SonarConfig& sonar) {
   ArraySettings array = line_array(receiver.azimuth_pattern, receiver.side_lobe_db, beam_width(sonar));
   array.elements = receiver.elements > 0 ? receiver.elements : array.elements;
@@ -96,10 +107,9 @@ double beam_width(const SonarConfig& sonar) {
 
 AcrossElevations::AcrossElevations(const SonarConfig& sonar, const ReceiverConfig& receiver)
     : middle_(sonar.elevation_center), half_(0.5 * sonar.elevation_aperture) {
-  const BeamPattern pattern = sonar.elevation_pattern_beside(receiver);
-  if (pattern != BeamPattern::kTopHat) {
-    array_.emplace(line_array(pattern, receiver.side_lobe_db, sonar.elevation_aperture));
-    length_ = array_->length(1, sonar.elevation_aperture);
+  const double aperture = sonar.elevation_aperture;
+  if (const auto array = elevation_array(sonar.elevation_pattern_beside(receiver), aperture, receiver, sonar)) {
+    array_.emplace(*array, aperture);
   }
 }
 
@@ -116,7 +126,7 @@ double AcrossElevations::intensity(double elevation) const {
   if (!array_) {
     return std::abs(off) <= half_ ? 1 : 0;
   }
-  return std::abs(off) < kRightAngle ? array_->intensity(length_ * std::sin(off)) : 0;
+  return std::abs(off) < kRightAngle ? array_->intensity(std::sin(off)) : 0;
 }
 
 }  // namespace insonify

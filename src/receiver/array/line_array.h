@@ -7,6 +7,7 @@
 #include "insonify/array_pattern.h"
 #include "insonify/receiver_config.h"
 #include "insonify/sonar_config.h"
+#include "sonar/elevation_pattern.h"
 
 namespace insonify {
 
@@ -15,6 +16,13 @@ namespace insonify {
 /// @param beam_width  Full width at half power [rad]; determines the number of elements.
 /// @throws Error if more elements are needed than an array may have.
 [[nodiscard]] ArraySettings line_array(BeamPattern pattern, double side_lobe_db, double beam_width);
+
+/// One-way array of a pattern across elevations, with the errors of the sonar's parts, as VerticalArray takes it;
+/// absent for kTopHat.
+/// @param pattern, aperture  Of the receiver or of the transmitter.
+/// @throws Error as line_array().
+[[nodiscard]] std::optional<ArraySettings> elevation_array(BeamPattern pattern, double aperture,
+                                                           const ReceiverConfig& receiver, const SonarConfig& sonar);
 
 /// The array that receives across bearings, with the faults of its elements. Where it also transmits
 /// (SonarConfig::is_two_way()) its pattern applies twice. Not for kTopHat.
@@ -46,9 +54,12 @@ class AcrossElevations {
 
   [[nodiscard]] double intensity(double elevation) const;
 
+  /// Length of the array [wavelengths]; absent for a top hat.
+  [[nodiscard]] std::optional<double> length() const { return array_ ? std::optional(array_->length()) : std::nullopt; }
+
  private:
-  double middle_, half_, length_ = 0;
-  std::optional<ArrayPattern> array_;
+  double middle_, half_;
+  std::optional<VerticalArray> array_;
 };
 
 }  // namespace insonify

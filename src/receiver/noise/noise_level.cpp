@@ -32,22 +32,17 @@ double bearing_width(const SonarConfig& sonar, const ReceiverConfig& receiver) {
 
 // Integral of |p|^2 cos(elevation) over elevation, one way; the array is baffled.
 double elevation_width(const SonarConfig& sonar, const ReceiverConfig& receiver) {
-  const double middle = sonar.elevation_center, half = 0.5 * sonar.elevation_aperture;
-  const BeamPattern pattern = sonar.elevation_pattern_beside(receiver);
-  if (pattern == BeamPattern::kTopHat) {
-    return std::sin(middle + half) - std::sin(middle - half);
+  const AcrossElevations pattern(sonar, receiver);
+  if (!pattern.length()) {
+    return std::sin(pattern.high()) - std::sin(pattern.low());
   }
-  const ArrayPattern array(line_array(pattern, receiver.side_lobe_db, sonar.elevation_aperture));
-  const double length = array.length(1, sonar.elevation_aperture);
   // Midpoints, at least 32 in each lobe.
-  const auto steps = static_cast<int>(std::ceil(64 * std::max(1.0, length)));
+  const auto steps = static_cast<int>(std::ceil(64 * std::max(1.0, *pattern.length())));
   const double step = std::numbers::pi / steps;
   double sum = 0;
   for (int i = 0; i < steps; ++i) {
     const double elevation = (i + 0.5) * step - 0.5 * std::numbers::pi;
-    if (std::abs(elevation - middle) < 0.5 * std::numbers::pi) {
-      sum += array.intensity(length * std::sin(elevation - middle)) * std::cos(elevation) * step;
-    }
+    sum += pattern.intensity(elevation) * std::cos(elevation) * step;
   }
   return sum;
 }
@@ -73,8 +68,12 @@ double weather_spectrum_db(const ReceiverConfig& receiver, double frequency) {
   return 10 * std::log10(spectrum);
 }
 
-double noise_spectrum_db(const ReceiverConfig& receiver, double frequency) {
+double noise_spectrum_db(const SonarConfig& sonar, const ReceiverConfig& receiver) {
+  const double frequency = sonar.frequency;
   double spectrum = linear(thermal_noise_level_db(frequency)) + linear(weather_spectrum_db(receiver, frequency));
+  if (sonar.self_noise_db) {
+    spectrum += linear(*sonar.self_noise_db);
+  }
   if (receiver.ambient_noise_db) {
     spectrum += linear(*receiver.ambient_noise_db);
   }
@@ -92,8 +91,7 @@ double noise_intensity(const SonarConfig& sonar, const Pulse& pulse, double spec
 }
 
 double noise_intensity(const SonarConfig& sonar, const ReceiverConfig& receiver, const Pulse& pulse) {
-  return noise_intensity(sonar, pulse, noise_spectrum_db(receiver, sonar.frequency),
-                         receive_solid_angle(sonar, receiver));
+  return noise_intensity(sonar, pulse, noise_spectrum_db(sonar, receiver), receive_solid_angle(sonar, receiver));
 }
 
 }  // namespace insonify

@@ -16,10 +16,9 @@ namespace insonify {
 /// Optimum Array Processing (2002), section 2.6).
 [[nodiscard]] double receive_solid_angle(const SonarConfig& sonar, const ReceiverConfig& receiver);
 
-/// Spectral level of thermal noise, the receiver's `ambient_noise_db`, and its wind, rain and ship noise, summed in
-/// power [dB re 1 uPa^2/Hz].
-/// @param frequency  [Hz].
-[[nodiscard]] double noise_spectrum_db(const ReceiverConfig& receiver, double frequency);
+/// Spectral level at the sonar's carrier of thermal noise, its own noise, the receiver's `ambient_noise_db`, and wind,
+/// rain and ship noise, summed in power [dB re 1 uPa^2/Hz].
+[[nodiscard]] double noise_spectrum_db(const SonarConfig& sonar, const ReceiverConfig& receiver);
 
 /// Spectral level of the receiver's wind and rain noise, summed in power; -infinity without any [dB re 1 uPa^2/Hz].
 [[nodiscard]] double weather_spectrum_db(const ReceiverConfig& receiver, double frequency);

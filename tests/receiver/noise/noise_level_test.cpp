@@ -101,6 +101,32 @@ TEST(NoiseLevelTest, AgreesWithTheSumOverAllDirections) {
   }
 }
 
+// Errors of the parts across elevations widen the pattern: the sum over elevations of the same pattern. 24 degrees are
+// 0.8858929 / (2 sin 12 deg) = 2.130487 wavelengths, 4.260974 parts, and 1 dB and 15 degrees are exp(0.0132555 +
+// 0.0685389) - 1 = 0.0852324.
+TEST(NoiseLevelTest, ErrorsAcrossElevationsWidenThePattern) {
+  SonarConfig sonar = fan(2, 24);
+  sonar.elevation_element_error_db = 1;
+  sonar.elevation_element_error = radians_from_degrees(15);
+  constexpr double kScattered = 0.0852324 / 4.260974;
+  double filled = 0, perfect = 0;
+  constexpr int kSteps = 40000;
+  for (int i = 0; i < kSteps; ++i) {
+    const double angle = ((i + 0.5) / kSteps - 0.5) * kPi;
+    const auto square = [](double x) { return std::pow(std::sin(kPi * x) / (kPi * x), 2); };
+    const double one = square(2.130487 * std::sin(angle));
+    perfect += one * std::cos(angle);
+    filled += (one + kScattered * square(0.5 * std::sin(angle))) / (1 + kScattered) * std::cos(angle);
+  }
+  const ReceiverConfig receiver = with(BeamPattern::kRectangular, BeamPattern::kRectangular);
+  const double solid_angle = receive_solid_angle(sonar, receiver);
+  EXPECT_NEAR(solid_angle / receive_solid_angle(fan(2, 24), receiver), filled / perfect, 1e-4);
+  EXPECT_GT(filled / perfect, 1.04);
+  // A top hat has no parts.
+  EXPECT_EQ(receive_solid_angle(sonar, with(BeamPattern::kRectangular)),
+            receive_solid_angle(fan(2, 24), with(BeamPattern::kRectangular)));
+}
+
 // 720 kHz, 25 kHz, 200 dB: -15 + 20 log10(720) + 43.97940 - 33.16632 - 200 = -147.04027 dB. Half as wide a beam hears
 // half of that; its resolution does not matter.
 TEST(NoiseLevelTest, IsThatOfTheSonarEquation) {
@@ -121,17 +147,22 @@ TEST(NoiseLevelTest, IsThatOfTheSonarEquation) {
 // mm/h 42.4 + 9.2717 - 23.5218 = 28.1499; ships 1: 50 + 56.5784 - 60 lg 150.03 = -23.9923; ambient 20. Powers: 711.51 +
 // 424.14 = 1135.65; with 653.12, 0.0040 and 100: 1888.77.
 TEST(NoiseSpectrumTest, SumsThePowersOfItsCauses) {
+  SonarConfig sonar;
+  sonar.frequency = 150e3;
   ReceiverConfig receiver;
-  EXPECT_NEAR(noise_spectrum_db(receiver, 150e3), 28.521825, 1e-6);
+  EXPECT_NEAR(noise_spectrum_db(sonar, receiver), 28.521825, 1e-6);
   receiver.wind_noise = 7;
-  EXPECT_NEAR(noise_spectrum_db(receiver, 150e3), 30.552437, 1e-5);
+  EXPECT_NEAR(noise_spectrum_db(sonar, receiver), 30.552437, 1e-5);
   receiver.rain_noise = 4;
   receiver.ship_noise = 1;
   receiver.ambient_noise_db = 20;
-  EXPECT_NEAR(noise_spectrum_db(receiver, 150e3), 32.761785, 1e-5);
+  EXPECT_NEAR(noise_spectrum_db(sonar, receiver), 32.761785, 1e-5);
   receiver = {};
   receiver.rain_noise = 0;  // Dry.
-  EXPECT_NEAR(noise_spectrum_db(receiver, 150e3), 28.521825, 1e-6);
+  EXPECT_NEAR(noise_spectrum_db(sonar, receiver), 28.521825, 1e-6);
+  // The instrument's own 40 dB, ten thousand: 10711.51 in all.
+  sonar.self_noise_db = 40;
+  EXPECT_NEAR(noise_spectrum_db(sonar, receiver), 40.298507, 1e-5);
 }
 
 }  // namespace

@@ -87,6 +87,45 @@ TEST_P(MillsCrossTest, PointsHaveTheProductOfBothPatterns) {
   }
 }
 
+// Each array has the mean pattern of arrays whose parts, half a wavelength long, have errors of 1.5 dB and 15 degrees:
+// exp(0.172694^2 + 0.261799^2) - 1 = 0.103359 of the power on the axis over the number of parts, with the pattern of a
+// part. 3.389 degrees are the null of the transmitter without a window. Also through a tone, in bins of ten times its
+// length, and in cones.
+TEST_P(MillsCrossTest, ErrorsOfThePartsFillTheNullsOfBoth) {
+  const auto filled = [](BeamPattern window, double width_deg, double angle_deg) {
+    const double efficiency = window == BeamPattern::kHann ? 2.0 / 3 : 1;
+    const double length =
+        (window == BeamPattern::kHann ? 1.4405943 : 0.8858929) / (2 * std::sin(width_deg / 2 * kDegree));
+    const double k = 0.103359 / (2 * length * efficiency);
+    return (gain(window, width_deg, angle_deg) + k * std::pow(uniform(0.5 * std::sin(angle_deg * kDegree)), 2)) /
+           (1 + k);
+  };
+  for (const BeamPattern sent : {BeamPattern::kRectangular, BeamPattern::kHann}) {
+    for (const BeamShape shape : {BeamShape::kWedge, BeamShape::kCone}) {
+      for (const int bins : {200, 20}) {
+        for (const double elevation : {0.0, 3.389, -8.0}) {
+          Scenario scenario = with_cross(GetParam(), sent);
+          scenario.receiver.beam_shape = shape;
+          SonarConfig& sonar = scenario.sonars[0];
+          sonar.bin_count = bins;
+          sonar.pulse = PulseKind::kCw;
+          sonar.pulse_duration = 66e-6;
+          sonar.elevation_element_error_db = 1.5;
+          sonar.elevation_element_error = 15 * kDegree;
+          scenario.points = {
+              {.position = point_from_spherical({10.025, 0, elevation * kDegree}), .target_strength_db = -20}};
+          const std::vector<float> levels = ping_of(scenario, {}).intensity;
+          EXPECT_NEAR(db(double{std::ranges::max(levels)}),
+                      -20 - 40 * std::log10(10.025) + db(filled(sent, kSent, elevation)) +
+                          db(filled(BeamPattern::kRectangular, kReceived, elevation)),
+                      0.03)
+              << elevation << ", " << bins;
+        }
+      }
+    }
+  }
+}
+
 // At the centre of a Lambert sphere of radius r the echo per unit solid angle is mu / r^2. Top-hat beams sum the
 // product of both patterns over the fan.
 TEST_P(MillsCrossTest, SphereAroundTheSonarSumsTheProduct) {

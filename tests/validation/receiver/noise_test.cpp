@@ -188,6 +188,20 @@ TEST(NoiseTest, HasTheCorrelationOfTheBeams) {
   }
 }
 
+// Beams of a lens have transducers of their own, whose noises are independent; its level is that of an array's.
+TEST(NoiseTest, IsIndependentInTheBeamsOfALens) {
+  Scenario scenario = noisy(listening(300), BeamPattern::kTaylor);
+  scenario.sonars[0].bin_count = 2000;
+  const double level = total_db(noise_of(scenario));
+  EXPECT_GT(correlation(noise_of(scenario), 0, 1), 0.2);
+  scenario.sonars[0].steering = Steering::kLens;
+  const Ping ping = noise_of(scenario);
+  EXPECT_NEAR(total_db(ping), level, 0.05);
+  for (const int lag : {1, 2, 3}) {
+    EXPECT_NEAR(correlation(ping, 0, lag), 0, 4 / std::sqrt(2 * 300 * 2000.0));
+  }
+}
+
 // Intensities of filtered noise are still exponentially distributed, are independent for each ping, and do not depend
 // on the number of threads.
 TEST(NoiseTest, IsExponentialAndDrawnAnewForEachPing) {
