@@ -104,15 +104,15 @@ TEST(GlintingFacesTest, AreThePlaneFacesOfMaterialsThatHaveAHeight) {
     area += 4 * faces.groups[0].first_half[i] * faces.groups[0].second_half[i];
   }
   EXPECT_NEAR(area, 22, 1e-4);
-  EXPECT_EQ(left_out.glinting[0], std::vector<std::uint8_t>(12, 1));
-  EXPECT_TRUE(left_out.glinting[1].empty());
-  EXPECT_TRUE(left_out.glinting[2].empty());
+  EXPECT_EQ(*left_out.glinting[0], std::vector<std::uint8_t>(12, 1));
+  EXPECT_EQ(left_out.glinting[1], nullptr);
+  EXPECT_EQ(left_out.glinting[2], nullptr);
 }
 
 TEST(GlintingFacesTest, ThinPartsAreNone) {
   const Scene scene = scene_of({{make_box({1, 1, 1}), 1e-5}});
   LeftOut left_out;
-  left_out.thickness = {std::vector<float>(12, 0.02F)};
+  left_out.thickness = {std::make_shared<const std::vector<float>>(12, 0.02F)};
   EXPECT_FALSE(find_glinting_faces(scene, left_out, workers).any());
 }
 

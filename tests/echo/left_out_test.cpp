@@ -54,7 +54,7 @@ TEST(LeftOutTest, GlintingTrianglesLoseTheCoherentShareOfTheirLobe) {
   const auto plan = plan_of(metal);
   const double wavenumber = 2 * std::numbers::pi / plan->wavelength();
   LeftOut left_out;
-  left_out.glinting = {{1, 0}};
+  left_out.glinting = {std::make_shared<const std::vector<std::uint8_t>>(std::vector<std::uint8_t>{1, 0})};
   Column column(*plan);
   leave_out(left_out, *plan, column.hits);
   double greatest = 0;
@@ -79,7 +79,7 @@ TEST(LeftOutTest, NoEchoGetsLessThanNothing) {
   Column column(*plan);
   std::fill_n(column.hits.power, kRows, 1e-9F);
   LeftOut left_out;
-  left_out.glinting = {{1, 1}};
+  left_out.glinting = {std::make_shared<const std::vector<std::uint8_t>>(2, 1)};
   leave_out(left_out, *plan, column.hits);
   EXPECT_EQ(column.hits.power[0], 0);
 }
@@ -91,7 +91,8 @@ TEST(LeftOutTest, ThinTrianglesHaveNoEchoOfTheLattice) {
   Column column(*plan);
   LeftOut left_out;
   const float limit = thin_per_metre(*plan) * 5.5F;  // Reached at 5.5 m.
-  left_out.thickness = {{limit, std::numeric_limits<float>::infinity()}};
+  left_out.thickness = {
+      std::make_shared<const std::vector<float>>(std::vector<float>{limit, std::numeric_limits<float>::infinity()})};
   leave_out(left_out, *plan, column.hits);
   for (int row = 0; row + 1 < kRows; ++row) {
     EXPECT_EQ(column.hits.power[row], row % 2 == 0 && row > 50 ? 0 : 1000) << row;

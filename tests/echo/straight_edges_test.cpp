@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "echo/targets/edge_echoes.h"
+#include "echo/targets/plane_mirrors.h"
 #include "insonify/mesh.h"
 #include "support/test_engine.h"
 
@@ -215,7 +216,8 @@ TEST(StraightEdgesTest, WhereSomethingTouchesThereIsNone) {
 // thick.
 TEST(StraightEdgesTest, OfThinPartsThoseOfSquareOnesCount) {
   const Scene tube = scene_of({{make_box({0.05, 0.05, 1})}});
-  const StraightEdges edges = edges_of(tube, {.thickness = {std::vector<float>(12, 0.05F)}, .glinting = {}});
+  const StraightEdges edges =
+      edges_of(tube, {.thickness = {std::make_shared<const std::vector<float>>(12, 0.05F)}, .glinting = {}});
   ASSERT_EQ(edges.groups.size(), 1U);
   ASSERT_EQ(edges.groups[0].edges.size(), 12U);
   EXPECT_EQ(edges.groups[0].edges[0].sides[0].face, StraightEdges::kNoGlint);
@@ -229,7 +231,8 @@ TEST(StraightEdgesTest, OfThinPartsThoseOfSquareOnesCount) {
   }
   const Scene rods = scene_of({{rod}});
   EXPECT_EQ(edges_of(rods).groups[0].edges.size(), 6U + 12U);  // With its borders at both ends.
-  EXPECT_FALSE(edges_of(rods, {.thickness = {std::vector<float>(12, 0.05F)}, .glinting = {}}).any());
+  EXPECT_FALSE(
+      edges_of(rods, {.thickness = {std::make_shared<const std::vector<float>>(12, 0.05F)}, .glinting = {}}).any());
 }
 
 // What does not move is one group, in a frame near it that is turned as the world; each instance that moves has its
@@ -291,6 +294,38 @@ TEST(StraightEdgesTest, OfTooManyTheLongestCount) {
   ASSERT_EQ(found.groups.size(), 1);
   EXPECT_EQ(found.groups[0].edges.size(), StraightEdges::kMost);
   EXPECT_GT(std::ranges::min(found.groups[0].half), 0.099F);
+}
+
+// Boxes that share a mesh and a material have the faces, edges and mirrors of boxes with meshes of their own.
+TEST(StraightEdgesTest, AlikeInstancesHaveThoseOfTheFirst) {
+  const Pose other = {.position = {5, 1, 0}, .orientation = orientation_from_rpy(0.1, 0.2, 0.3)};
+  Scene apart =
+      scene_of({{make_box({1, 2, 3})}, {make_sphere(1, 0.3), {.position = {9, 9, 9}}}, {make_box({1, 2, 3}), other}});
+  apart.instances[2].materials = apart.instances[0].materials;
+  Scene shared = apart;
+  shared.instances[2].mesh = shared.instances[0].mesh;
+  const StraightEdges expected = edges_of(apart), found = edges_of(shared);
+  ASSERT_EQ(found.groups.size(), 1U);
+  ASSERT_EQ(found.groups[0].edges.size(), 24U);
+  for (std::size_t i = 0; i < 24; ++i) {
+    const StraightEdges::Edge &a = found.groups[0].edges[i], &b = expected.groups[0].edges[i];
+    EXPECT_EQ(a.middle, b.middle);
+    EXPECT_EQ(a.sides[0].surface, b.sides[0].surface);
+    EXPECT_EQ(a.sides[1].face, b.sides[1].face);
+  }
+  LeftOut left_out;
+  const GlintingFaces faces = find_glinting_faces(shared, left_out, workers);
+  EXPECT_EQ(faces.count(), 12U);
+  EXPECT_EQ(faces.group_of(2)->first_number, 6U);
+  EXPECT_EQ(faces.group_of(1), nullptr);
+  EXPECT_EQ(left_out.glinting[2], left_out.glinting[0]);
+  const std::vector<PlaneMirror> mirrors = find_plane_mirrors(shared, -1, workers);
+  const std::vector<PlaneMirror> of_apart = find_plane_mirrors(apart, -1, workers);
+  ASSERT_EQ(mirrors.size(), 12U);
+  for (std::size_t i = 0; i < 12; ++i) {
+    EXPECT_EQ(mirrors[i].normal, of_apart[i].normal);
+    EXPECT_EQ(mirrors[i].triangles[0].surface, of_apart[i].triangles[0].surface);
+  }
 }
 
 TEST(EdgeIntegralTest, IsTheSumAlongTheEdge) {

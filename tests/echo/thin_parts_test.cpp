@@ -79,7 +79,7 @@ TEST(ThinPartsTest, OnlyTheRimOfALensIsRound) {
     const Vec3f& corner = mesh.vertices[mesh.triangles[i][0]];
     const float radius = corner.head<2>().norm();
     if (radius < 0.15F || radius > 0.29F) {
-      EXPECT_EQ(std::isinf(parts.triangles->thickness[0][i]), radius < 0.15F) << corner.transpose();
+      EXPECT_EQ(std::isinf((*parts.triangles->thickness[0])[i]), radius < 0.15F) << corner.transpose();
     }
   }
 }
@@ -137,7 +137,7 @@ TEST(ThinPartsTest, PiecesHaveTheSurfaceOfARod) {
     length += 2 * piece.half.norm();
   }
   EXPECT_NEAR(length, 2, 0.02);
-  for (const float thickness : parts.triangles->thickness[0]) {
+  for (const float thickness : *parts.triangles->thickness[0]) {
     EXPECT_TRUE(thickness < 0.015F || std::isinf(thickness));  // Infinite: the ends.
   }
 }
@@ -158,7 +158,7 @@ TEST(ThinPartsTest, OtherSurfacesInsideDoNotCount) {
   scene.instances.push_back(scene_of(make_plane(Vec3::UnitZ(), 4, 4), {.position = {0, 0, 0.002}}).instances[0]);
   const ThinParts parts = parts_of(scene);
   EXPECT_NEAR(area_of(parts), 2 * std::numbers::pi * 0.01, 0.01 * 2 * std::numbers::pi * 0.01);
-  EXPECT_TRUE(parts.triangles->thickness[1].empty());
+  EXPECT_EQ(parts.triangles->thickness[1], nullptr);
 }
 
 // 200 m in pieces of 6 mm are too many, in pieces of 12 mm not.
@@ -173,6 +173,35 @@ TEST(ThinPartsTest, WhatHasTooManyPiecesIsLeftOut) {
   EXPECT_TRUE(parts.pieces.empty());
   EXPECT_EQ(parts.left_out, std::vector<std::string>{"thing"});
   EXPECT_EQ(parts.triangles, nullptr);
+}
+
+// Cables of one mesh have the pieces of the first, under their own names, until a scene has too many: those that are
+// left are cut into longer ones. A cable of another material is measured by itself.
+TEST(ThinPartsTest, AlikeInstancesShareWhatWasMeasured) {
+  Scene scene = scene_of(make_cylinder(0.01, 1, 0.3));
+  scene.materials.resize(2);
+  for (int i = 1; i < 4; ++i) {
+    scene.instances.push_back(scene.instances[0]);
+    scene.instances[i].world_from_mesh = {.position = {3.0 * i, 0, 0},
+                                          .orientation = orientation_from_rpy(0.3 * i, 0.2, 0)};
+  }
+  scene.instances[3].materials = {1};
+  const ThinParts parts = parts_of(scene);
+  const auto& thickness = parts.triangles->thickness;
+  EXPECT_EQ(thickness[1], thickness[0]);
+  EXPECT_NE(thickness[3], thickness[0]);
+  const std::size_t each = parts.pieces.size() / 4;
+  ASSERT_EQ(parts.pieces.size(), 4 * each);
+  for (std::size_t k = 0; k < each; ++k) {
+    EXPECT_EQ(parts.pieces[each + k].surface, surface_label(1, 0));
+    EXPECT_EQ(parts.pieces[each + k].first_patch, parts.pieces[k].first_patch);
+    EXPECT_EQ(parts.pieces[each + k].middle, parts.pieces[k].middle);
+    EXPECT_EQ(parts.pieces[3 * each + k].surface, surface_label(3, 1));
+  }
+  scene = scene_of(make_cylinder(0.001, 90, 0.5));  // 15 000 pieces of 6 mm.
+  scene.instances.push_back(scene.instances[0]);
+  scene.instances[1].world_from_mesh.position.x() = 1;
+  EXPECT_NEAR(static_cast<double>(parts_of(scene).pieces.size()), 15'000 + 90 / 0.024, 100);
 }
 
 }  // namespace

@@ -14,8 +14,8 @@ namespace {
 
 // The values of one instance; null: none.
 template <typename Value>
-const Value* of(const std::vector<std::vector<Value>>& values, std::uint16_t instance) {
-  return instance < values.size() && !values[instance].empty() ? values[instance].data() : nullptr;
+const Value* of(const std::vector<LeftOut::ByTriangle<Value>>& values, std::uint16_t instance) {
+  return instance < values.size() && values[instance] != nullptr ? values[instance]->data() : nullptr;
 }
 
 // Takes the coherent share of the lobe of facets off the echoes of samples on one material, where glinting[i] is 1. The

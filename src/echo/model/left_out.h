@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "echo/model/flat_plan.h"
@@ -12,15 +13,19 @@ namespace insonify {
 
 /// Triangles whose primary echo, or part of it, is removed from the samples of the lattice.
 struct LeftOut {
+  /// [triangle of a mesh]; shared by instances that are alike.
+  template <typename Value>
+  using ByTriangle = std::shared_ptr<const std::vector<Value>>;
+
   /// [instance][triangle of its mesh] Thickness of parts that are thin in two directions (ropes, chains, nets): the
-  /// second smallest extent of the body at the triangle [m]; infinite if the body is not thin. Empty for an instance
+  /// second smallest extent of the body at the triangle [m]; infinite if the body is not thin. Null for an instance
   /// without thin parts. If it is less than thin_per_metre() times the range, ThinEchoes (echo/targets) computes the
   /// primary echo.
-  std::vector<std::vector<float>> thickness;
+  std::vector<ByTriangle<float>> thickness;
 
   /// [instance][triangle] 1 for plane faces whose coherent echo FaceGlints (echo/targets) computes: the coherent share
-  /// is removed from their lobe. Empty for an instance without any.
-  std::vector<std::vector<std::uint8_t>> glinting;
+  /// is removed from their lobe. Null for an instance without any.
+  std::vector<ByTriangle<std::uint8_t>> glinting;
 };
 
 /// Thickness per metre of range below which a part is too thin for the lattice: four samples. The echo of thicker

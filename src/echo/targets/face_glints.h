@@ -32,10 +32,11 @@ struct GlintingFaces {
     std::vector<std::uint32_t> face;  ///< Index into MeshFaces::faces.
     std::size_t first_number = 0;     ///< Index of this group's first face among the faces of all groups.
   };
-  std::vector<Group> groups;
+  std::vector<Group> groups;                              ///< In the order of their instances.
   std::vector<std::shared_ptr<const MeshFaces>> of_mesh;  ///< [instance]; null if it has no coherent surface.
 
   [[nodiscard]] bool any() const { return !groups.empty(); }
+  [[nodiscard]] const Group* group_of(std::size_t instance) const;  ///< Null: it has none.
   [[nodiscard]] std::size_t count() const {
     return any() ? groups.back().first_number + groups.back().surface.size() : 0;
   }

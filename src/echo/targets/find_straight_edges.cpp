@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 
+#include "echo/targets/alike.h"
 #include "echo/targets/edge_parts.h"
 #include "echo/targets/straight_edges.h"
 
@@ -63,10 +64,9 @@ void set_sides(StraightEdges::Edge& edge, const Vec3& first, const Vec3* second)
 // Index among all GlintingFaces by index in MeshFaces, for one instance.
 std::map<std::uint32_t, std::size_t> numbers_of(const GlintingFaces& faces, int instance) {
   std::map<std::uint32_t, std::size_t> numbers;
-  for (const GlintingFaces::Group& group : faces.groups) {
-    for (std::size_t i = 0; group.instance == instance && i < group.face.size(); ++i) {
-      numbers[group.face[i]] = group.first_number + i;
-    }
+  const GlintingFaces::Group* const group = faces.group_of(instance);
+  for (std::size_t i = 0; group != nullptr && i < group->face.size(); ++i) {
+    numbers[group->face[i]] = group->first_number + i;
   }
   return numbers;
 }
@@ -127,6 +127,45 @@ void add_edges(const Scene& scene, int index, const GlintingFaces& faces, Worker
     }
     edges.emplace_back(index, edge);
   }
+}
+
+// Whether the faces of two instances that are alike glint alike too.
+bool glint_alike(const GlintingFaces& faces, std::size_t one, std::size_t other) {
+  const GlintingFaces::Group *const a = faces.group_of(one), *const b = faces.group_of(other);
+  return a == nullptr || b == nullptr ? a == b : a->face == b->face;
+}
+
+// An edge of one instance as that of another that is alike.
+PlacedEdge on_other(PlacedEdge placed, std::size_t other, const GlintingFaces& faces) {
+  const GlintingFaces::Group *const from = faces.group_of(placed.first), *const to = faces.group_of(other);
+  for (StraightEdges::Side& side : placed.second.sides) {
+    side.surface = surface_label(static_cast<std::uint16_t>(other), material_of(side.surface));
+    side.face = side.face == StraightEdges::kNoGlint ? side.face : side.face - from->first_number + to->first_number;
+  }
+  placed.first = static_cast<int>(other);
+  return placed;
+}
+
+// The edges of all instances.
+std::vector<PlacedEdge> edges_of(const Scene& scene, const GlintingFaces& faces, Workers& workers) {
+  std::vector<PlacedEdge> edges;
+  const std::vector<std::size_t> first = first_alike(scene);
+  std::vector<std::pair<std::size_t, std::size_t>> own(first.size());  // [instance] The range of its edges.
+  for (std::size_t i = 0; i < faces.of_mesh.size(); ++i) {
+    if (!faces.of_mesh[i] || faces.of_mesh[i]->faces.empty()) {
+      continue;
+    }
+    own[i].first = edges.size();
+    if (first[i] == i || !glint_alike(faces, i, first[i])) {
+      add_edges(scene, static_cast<int>(i), faces, workers, edges);
+    } else {
+      for (std::size_t k = own[first[i]].first; k < own[first[i]].second; ++k) {
+        edges.push_back(on_other(edges[k], i, faces));
+      }
+    }
+    own[i].second = edges.size();
+  }
+  return edges;
 }
 
 // Tests with rays whether something touches an edge: an open polygon of rays around it, through the water, at two
@@ -249,12 +288,7 @@ std::size_t StraightEdges::most_of_a_group() const {
 }
 
 StraightEdges find_straight_edges(const Scene& scene, const GlintingFaces& faces, Engine& engine, Workers& workers) {
-  std::vector<PlacedEdge> edges;
-  for (std::size_t i = 0; i < faces.of_mesh.size(); ++i) {
-    if (faces.of_mesh[i] && !faces.of_mesh[i]->faces.empty()) {
-      add_edges(scene, static_cast<int>(i), faces, workers, edges);
-    }
-  }
+  std::vector<PlacedEdge> edges = edges_of(scene, faces, workers);
   const auto half = [](const PlacedEdge& edge) { return edge.second.half; };
   StraightEdges found;
   if (edges.size() > StraightEdges::kMost) {

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 
+#include "echo/targets/alike.h"
 #include "echo/targets/thin_parts.h"
 
 namespace insonify {
@@ -184,6 +185,34 @@ void leave_assemblies(const Instance& instance, int index, std::vector<ThinTrian
   }
 }
 
+// Adds the pieces of an instance, or its name where these are too many. Returns the thickness of its triangles.
+LeftOut::ByTriangle<float> add_pieces(const Scene& scene, int index, Engine& engine, ThinParts& parts) {
+  const Instance& instance = scene.instances[index];
+  std::vector<ThinTriangle> thin = find_thin_triangles(scene, index, engine);
+  // Thickness is rounded up to quarter octaves, so that a piece and its triangles pass to the lattice at the same
+  // range.
+  for (ThinTriangle& triangle : thin) {
+    triangle.thickness = 1e-3F * std::exp2(0.25F * std::ceil(4 * std::log2(triangle.thickness / 1e-3F)));
+  }
+  leave_assemblies(instance, index, thin);
+  if (thin.empty()) {
+    return nullptr;
+  }
+  float slab = kShortest;
+  while (slab <= kLongest && !cut_thin_triangles(instance, index, thin, slab, parts)) {
+    slab *= 2;
+  }
+  if (slab > kLongest) {
+    parts.left_out.push_back(instance.name);
+    return nullptr;
+  }
+  std::vector<float> thickness(instance.mesh->triangles.size(), std::numeric_limits<float>::infinity());
+  for (const ThinTriangle& triangle : thin) {
+    thickness[triangle.triangle] = triangle.thickness;
+  }
+  return std::make_shared<const std::vector<float>>(std::move(thickness));
+}
+
 }  // namespace
 
 std::vector<ThinTriangle> find_thin_triangles(const Scene& scene, int index, Engine& engine) {
@@ -225,33 +254,29 @@ ThinParts find_thin_parts(const Scene& scene, Engine& engine) {
   ThinParts parts;
   LeftOut triangles;
   triangles.thickness.resize(scene.instances.size());
+  const std::vector<std::size_t> first = first_alike(scene);
+  std::vector<std::pair<std::size_t, std::size_t>> pieces(first.size());  // [instance] The range of its pieces.
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const Instance& instance = scene.instances[i];
     if (!instance.present || instance.endless) {
       continue;
     }
-    std::vector<ThinTriangle> thin = find_thin_triangles(scene, static_cast<int>(i), engine);
-    // Thickness is rounded up to quarter octaves, so that a piece and its triangles pass to the lattice at the same
-    // range.
-    for (ThinTriangle& triangle : thin) {
-      triangle.thickness = 1e-3F * std::exp2(0.25F * std::ceil(4 * std::log2(triangle.thickness / 1e-3F)));
+    const auto [begin, end] = pieces[first[i]];
+    pieces[i].first = parts.pieces.size();
+    if (first[i] == i || parts.pieces.size() + (end - begin) > ThinParts::kMostPieces) {
+      triangles.thickness[i] = add_pieces(scene, static_cast<int>(i), engine, parts);
+    } else {
+      triangles.thickness[i] = triangles.thickness[first[i]];
+      if (std::ranges::find(parts.left_out, scene.instances[first[i]].name) != parts.left_out.end()) {
+        parts.left_out.push_back(instance.name);
+      }
+      for (std::size_t k = begin; k < end; ++k) {
+        ThinParts::Piece piece = parts.pieces[k];
+        piece.surface = surface_label(static_cast<std::uint16_t>(i), material_of(piece.surface));
+        parts.pieces.push_back(piece);
+      }
     }
-    leave_assemblies(instance, static_cast<int>(i), thin);
-    if (thin.empty()) {
-      continue;
-    }
-    float slab = kShortest;
-    while (slab <= kLongest && !cut_thin_triangles(instance, static_cast<int>(i), thin, slab, parts)) {
-      slab *= 2;
-    }
-    if (slab > kLongest) {
-      parts.left_out.push_back(instance.name);
-      continue;
-    }
-    triangles.thickness[i].assign(instance.mesh->triangles.size(), std::numeric_limits<float>::infinity());
-    for (const ThinTriangle& triangle : thin) {
-      triangles.thickness[i][triangle.triangle] = triangle.thickness;
-    }
+    pieces[i].second = parts.pieces.size();
   }
   if (!parts.pieces.empty()) {
     parts.triangles = std::make_shared<const LeftOut>(std::move(triangles));

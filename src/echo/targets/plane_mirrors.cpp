@@ -11,6 +11,7 @@
 
 #include "base/parallel_blocks.h"
 #include "echo/mirror/faces.h"
+#include "echo/targets/alike.h"
 
 namespace insonify {
 namespace {
@@ -53,6 +54,33 @@ void add_flat_triangles(const Instance& instance, std::uint32_t index, Workers& 
       flat.push_back({index, t, sizes[t]});
     }
   }
+}
+
+bool is_used(const Instance& instance) {
+  return instance.present && !instance.endless;
+}
+
+// Those of all static instances.
+std::vector<FlatTriangle> flat_triangles(const Scene& scene, Workers& workers) {
+  std::vector<FlatTriangle> flat;
+  const std::vector<std::size_t> first = first_alike(scene);
+  std::vector<std::pair<std::size_t, std::size_t>> own(first.size());  // [instance] The range of its triangles.
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    const Instance& instance = scene.instances[i];
+    if (!is_used(instance) || instance.moving) {
+      continue;
+    }
+    own[i].first = flat.size();
+    if (first[i] == i || scene.instances[first[i]].moving) {
+      add_flat_triangles(instance, static_cast<std::uint32_t>(i), workers, flat);
+    } else {
+      for (std::size_t k = own[first[i]].first; k < own[first[i]].second; ++k) {
+        flat.push_back({static_cast<std::uint32_t>(i), flat[k].triangle, flat[k].area});
+      }
+    }
+    own[i].second = flat.size();
+  }
+  return flat;
 }
 
 PlacedTriangle placed(const Scene& scene, const FlatTriangle& one, bool in_world) {
@@ -186,12 +214,9 @@ const PlaneMirror::Triangle* PlaneMirror::triangle_at(const Vec3& point, double 
 }
 
 std::vector<PlaneMirror> find_plane_mirrors(const Scene& scene, int instance, Workers& workers) {
-  std::vector<FlatTriangle> flat;
-  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-    const Instance& each = scene.instances[i];
-    if (each.present && !each.endless && (instance < 0 ? !each.moving : static_cast<int>(i) == instance)) {
-      add_flat_triangles(each, static_cast<std::uint32_t>(i), workers, flat);
-    }
+  std::vector<FlatTriangle> flat = instance < 0 ? flat_triangles(scene, workers) : std::vector<FlatTriangle>();
+  if (instance >= 0 && is_used(scene.instances[instance])) {
+    add_flat_triangles(scene.instances[instance], static_cast<std::uint32_t>(instance), workers, flat);
   }
   // A plane takes the normal of its largest triangle, which is the most accurate.
   parallel_sort(workers, flat, [](const FlatTriangle& a, const FlatTriangle& b) {
