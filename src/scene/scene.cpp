@@ -4,11 +4,32 @@
 
 #include <fmt/format.h>
 
-#include <limits>
+#include <Eigen/Geometry>
+#include <map>
 
 #include "insonify/error.h"
 
 namespace insonify {
+namespace {
+
+// Extends a box by the corners of all triangles of a mesh.
+void extend_by(const Mesh& mesh, const Pose& pose, Eigen::AlignedBox3d& box) {
+  for (const auto& triangle : mesh.triangles) {
+    for (const std::uint32_t corner : triangle) {
+      box.extend(pose * mesh.vertices[corner].cast<double>());
+    }
+  }
+}
+
+// Whether a box encloses another, turned by a pose, by more than rounding.
+bool encloses(const Eigen::AlignedBox3d& box, const Eigen::AlignedBox3d& other, const Pose& pose) {
+  constexpr double kRounding = 1e-6;  // [m]: of coordinates up to 1e7 m.
+  const Vec3 middle = pose * Vec3(other.center());
+  const Vec3 half = pose.orientation.toRotationMatrix().cwiseAbs() * (0.5 * other.sizes()) + Vec3::Constant(kRounding);
+  return box.contains(Vec3(middle - half)) && box.contains(Vec3(middle + half));
+}
+
+}  // namespace
 
 void check_reach(const Instance& instance, std::string_view what) {
   constexpr const char* kAxes = "xyz";
@@ -32,21 +53,21 @@ std::size_t Scene::triangle_count() const {
 }
 
 Box3 Scene::bounds() const {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  Box3 box{Vec3::Constant(kFar), Vec3::Constant(-kFar)};
+  Eigen::AlignedBox3d box;
+  std::map<const Mesh*, Eigen::AlignedBox3d> own;  // In the frames of meshes that have been met before.
   for (const Instance& instance : instances) {
     if (!instance.present || instance.endless) {
       continue;
     }
-    for (const auto& triangle : instance.mesh->triangles) {
-      for (const std::uint32_t corner : triangle) {
-        const Vec3 point = instance.world_from_mesh * instance.mesh->vertices[corner].cast<double>();
-        box.low = box.low.cwiseMin(point);
-        box.high = box.high.cwiseMax(point);
-      }
+    const auto [known, is_new] = own.try_emplace(instance.mesh.get());
+    if (!is_new && known->second.isEmpty()) {
+      extend_by(*instance.mesh, {}, known->second);
+    }
+    if (is_new || !encloses(box, known->second, instance.world_from_mesh)) {
+      extend_by(*instance.mesh, instance.world_from_mesh, box);
     }
   }
-  return box;
+  return {box.min(), box.max()};
 }
 
 Vec3 Scene::middle() const {

@@ -58,6 +58,22 @@ TEST(SceneTest, BoundsLeaveOutCornersOfNoTriangle) {
   EXPECT_LE((scene.bounds().high - Vec3(2, 3, 1)).norm(), kFloatRounding);
 }
 
+// Of instances that share a mesh, the third sticks out by a corner, the others do not.
+TEST(SceneTest, BoundsHoldAllInstancesOfOneMesh) {
+  Scene scene;
+  scene.instances = {instance("large", triangle(), {{0, 0, 0}, Eigen::Quaterniond::Identity()}),
+                     instance("far", triangle(), {{5, 5, 5}, Eigen::Quaterniond::Identity()})};
+  const auto add = [&](const Vec3& position, double yaw) {
+    scene.instances.push_back(scene.instances[0]);
+    scene.instances.back().world_from_mesh = {position, orientation_from_rpy(0, 0, yaw)};
+  };
+  add({2, 2, 2}, 0.1);
+  EXPECT_LE((scene.bounds().high - Vec3(7, 8, 6)).norm(), kFloatRounding);
+  add({5.5, 1, 1}, 0);
+  EXPECT_LE((scene.bounds().high - Vec3(7.5, 8, 6)).norm(), kFloatRounding);
+  EXPECT_LE(scene.bounds().low.norm(), kFloatRounding);
+}
+
 TEST(SceneTest, AnEmptySceneHasEmptyBounds) {
   const Box3 box = Scene{}.bounds();
   EXPECT_GT(box.low.x(), box.high.x());
