@@ -11,9 +11,9 @@ A fully developed speckle's amplitude is Rayleigh: its coefficient of variation 
 
 Behind something at 1.0 m lies a shadow in the recording. Its depth is the mean intensity of the cells from 1.05 to 1.15 m in
 the darkest eight beams, relative to the median of all groups of eight beams. The simulation has a stone on sand, before a
-perfect array, and before one whose elements differ by 1 dB and 13 degrees, which by Ruze's formula
-(docs/concepts/multipath.md) leave a shadow as deep as the recorded one. Crosstalk between channels would be the same in all
-beams of a shadow, so the recording is searched for it: beams 16 apart do not correlate.
+perfect array, and before one whose elements differ by 1 dB and 10 degrees, as the preset's transducer does across elevations
+(docs/concepts/array-and-pulse.md): this one leaves a shadow as deep as the recorded one. Crosstalk between channels would be
+the same in all beams of a shadow, so the recording is searched for it: beams 16 apart do not correlate.
 """
 
 import math
@@ -67,7 +67,7 @@ sonars:
     orientation_deg: [0, 30, 0]
 """
 PERFECT = "{}"
-UNEVEN = "{elements: 322, element_error_db: 1, element_error_deg: 13}"  # Half a wavelength apart.
+UNEVEN = "{elements: 322, element_error_db: 1, element_error_deg: 10}"  # Half a wavelength apart.
 STONE_WORLD = """
 <sdf version="1.9" xmlns:insonify="https://insonify.org/sdf"><world name="stone">
   <model name="floor"><static>true</static><link name="link"><visual name="floor">

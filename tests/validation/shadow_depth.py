@@ -124,7 +124,7 @@ MEASURES = {
 
 def print_by_surface(program):
     print("| Scene | Surface | Everything on | Mean image | No secondary echoes | Neither noise nor these | Two surfaces at most "
-          "| Element errors of 1 dB and 6° | No secondary echoes, element errors |")
+          "| Element errors of 1 dB and 10° | No secondary echoes, element errors |")
     print("| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |")
     with tempfile.TemporaryDirectory() as folder:
         for name, text in BOULDER.items():
@@ -137,7 +137,7 @@ def print_by_surface(program):
                 if surface != "rock":
                     given += [f"materials.{metal}={surface}" for metal in METALS["ssiv"] if metal != surface]
                 errors = [f"receiver.elements={ELEMENTS[scene]}", "receiver.element_error_db=1",
-                          "receiver.element_error_deg=6"]
+                          "receiver.element_error_deg=10"]
                 cases = [[], MEAN_IMAGE, ["secondary=none"], [*MEAN_IMAGE, "secondary=none"], [*MEAN_IMAGE, "max_surfaces=2"],
                          errors, [*errors, "secondary=none"]]
                 depths = []
