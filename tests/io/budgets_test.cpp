@@ -172,6 +172,10 @@ TEST_F(BudgetsTest, AccessorsThatNeedNoBytesAreCounted) {
   file["accessors"][0]["sparse"] = {
       {"count", 1}, {"indices", {{"bufferView", 1}, {"componentType", 5123}}}, {"values", {{"bufferView", 0}}}};
   EXPECT_EQ(error_of_mesh("a.gltf", file.dump()), reason);
+  // Within the budget, they would take gigabytes all the same.
+  file["accessors"][0]["count"] = 100'000'000;
+  EXPECT_EQ(error_of_mesh("a.gltf", file.dump()),
+            "a.gltf: accessors[0] has 100000000 elements without bytes for them, more than 3333333");
 }
 
 TEST_F(BudgetsTest, PixelsAreCountedBeforeTheyAreUnpacked) {

@@ -231,7 +231,7 @@ std::vector<float> GltfFile::numbers(std::size_t index) {
   if (layout.components == 0) {
     fail(fmt::format("accessors[{}] has no type that is read", index));
   }
-  // Sparse ones need no bytes for elements, and several may lie on the same bytes.
+  // Several may lie on the same bytes.
   numbers_ += static_cast<double>(layout.count * layout.components);
   check_budget(Budget::kTriangles, numbers_ / 9, path_.string());
   std::vector<float> values;
@@ -239,6 +239,11 @@ std::vector<float> GltfFile::numbers(std::size_t index) {
     layout.view = whole(accessor, "bufferView");
     values = numbers(layout);
   } else {
+    constexpr std::size_t kMostZeros = 10'000'000;
+    if (layout.count > kMostZeros / layout.components) {
+      fail(fmt::format("accessors[{}] has {} elements without bytes for them, more than {}", index, layout.count,
+                       kMostZeros / layout.components));
+    }
     values.resize(layout.count * layout.components);
   }
   if (const auto sparse = accessor.find("sparse"); sparse != accessor.end()) {
