@@ -241,7 +241,9 @@ TEST_P(PointGhostTest, GhostsNeedAClearPathWithinTheAperture) {
   EXPECT_NEAR(total_db(ping_of(scenario, wall)), -40 * std::log10(13.45362404707371), 1e-3);
 }
 
-// With waves, the intensity of a ghost is exponentially distributed from ping to ping. Without speckle it is the mean.
+// With waves, the intensity of a leg over the water is an exponential number x from ping to ping, the same out and
+// back. The two echoes with one such leg are in phase: 4 x times the intensity of one. That with two has x^2, of the
+// mean 2: 3.01 dB more than without speckle, where nothing interferes.
 TEST_P(PointGhostTest, WavesMakeItsGhostsFluctuate) {
   SonarConfig sonar = fan();
   sonar.position = {0, 0, -5};
@@ -255,26 +257,32 @@ TEST_P(PointGhostTest, WavesMakeItsGhostsFluctuate) {
   scenario.surface = SeaSurface{};
   scenario.receiver.speckle = true;
   scenario.points = {{.position = {10, 0, -4}, .target_strength_db = 40}};
-  const int ghost = static_cast<int>(13.45362404707371 / sonar.bin_length());
-  const auto level = [&](const Ping& ping) {
+  const auto level = [&](const Ping& ping, double range = 11.7517498340973) {
     double sum = 0;
     for (int beam = 0; beam < sonar.beam_count; ++beam) {
-      sum += ping.intensity[ping.index(ghost, beam)];
+      sum += ping.intensity[ping.index(static_cast<int>(range / sonar.bin_length()), beam)];
     }
     return sum;
   };
+  constexpr double kTwice = 13.45362404707371;
   Simulator calm(scenario, {}, 1);
   EXPECT_EQ(level(calm.make_ping(0, 0)), level(calm.make_ping(0, 1)));
-  scenario.surface->wind_speed = 1;
   scenario.receiver.speckle = false;
-  const double mean = level(Simulator(scenario, {}, 1).make_ping(0, 0));
+  const Ping without_waves = ping_of(scenario, {});
+  scenario.surface->wind_speed = 1;
+  const Ping means = ping_of(scenario, {});
+  const double loss = level(means) / level(without_waves);  // Of the surface, once.
+  EXPECT_NEAR(level(means, kTwice) / level(without_waves, kTwice), loss * loss, 0.01 * loss * loss);
+  const double mean = 2 * level(means);
   scenario.receiver.speckle = true;
   Simulator rough(scenario, {}, 1);
   constexpr int kPings = 2000;
   double sum = 0, squares = 0;
   for (int i = 0; i < kPings; ++i) {
-    const double ratio = level(rough.make_ping(0, i)) / mean;
+    const Ping ping = rough.make_ping(0, i);
+    const double ratio = level(ping) / mean;
     sum += ratio, squares += ratio * ratio;
+    EXPECT_NEAR(level(ping, kTwice) / level(means, kTwice), ratio * ratio, 1e-3 + 0.01 * ratio * ratio);
   }
   EXPECT_NEAR(sum / kPings, 1, 0.1);
   EXPECT_NEAR(squares / kPings / std::pow(sum / kPings, 2), 2, 0.3);

@@ -5,7 +5,7 @@
 
 #include "base/vector_math.h"
 #include "echo/cpu/secondary_task.h"
-#include "echo/mirror/mirror_paths.h"
+#include "echo/mirror/double_passage.h"
 #include "echo/model/deposit.h"
 #include "echo/model/hit.h"
 
@@ -168,6 +168,23 @@ void SecondaryTask::return_shaped(const RTCRay16& rays, const ReflectedOrigins& 
   }
 }
 
+// double_passage() of the path of one lane.
+float SecondaryTask::interference(const RTCRay16& rays, const ReflectedOrigins& origins, const MirrorPaths& paths,
+                                  int lane) const {
+  if (!(paths.variance[lane] > 0)) {
+    return 1;
+  }
+  const auto seen = [&](const Vec3f& direction) { return Vec3f(axes_.transpose() * direction); };
+  const Vec3f mirror(rays.org_x[lane], rays.org_y[lane], rays.org_z[lane]);
+  return double_passage(*plan_, origins.column[lane],
+                        {.out = seen((mirror - sonar_).normalized()),
+                         .smooth = seen({origins.smooth_x[lane], origins.smooth_y[lane], origins.smooth_z[lane]}),
+                         .on = seen({rays.dir_x[lane], rays.dir_y[lane], rays.dir_z[lane]}),
+                         .range = origins.range[lane],
+                         .across = rays.tfar[lane],
+                         .over = {paths.glint[lane], paths.variance[lane], paths.coherence[lane]}});
+}
+
 // `calibrated`: deposits the echo by the mirror both ways at once. The two reciprocal echoes by the mirror one way wait
 // until finish_returns() knows that the straight path back is unobstructed.
 void SecondaryTask::return_mirrored(const RTCRay16& rays, const ReflectedOrigins& origins, unsigned lanes) {
@@ -194,7 +211,8 @@ void SecondaryTask::return_mirrored(const RTCRay16& rays, const ReflectedOrigins
       twice.order = 3;
       twice.path_length = 2 * there;
       twice.half_length = returns.twice[lane];
-      twice.power = powers.twice[lane] * plan_->lattice.pattern_in(origins.column[lane])[origins.row[lane]];
+      twice.power = powers.twice[lane] * interference(rays, origins, paths, lane) *
+                    plan_->lattice.pattern_in(origins.column[lane])[origins.row[lane]];
       deposit(*plan_, twice, *grid_);
     }
     if (by_water_.any()) {

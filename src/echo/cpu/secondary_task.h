@@ -9,6 +9,7 @@
 #include "echo/cpu/reflected_rays.h"
 #include "echo/cpu/water_returns.h"
 #include "echo/grid/echo_grid.h"
+#include "echo/mirror/mirror_paths.h"
 #include "echo/mirror/secondary_echo.h"
 #include "echo/model/flat_plan.h"
 #include "echo/model/hit_column.h"
@@ -59,6 +60,8 @@ class SecondaryTask {
   void return_shaped(const RTCRay16& rays, const ReflectedOrigins& origins, unsigned lanes);
   void return_mirrored(const RTCRay16& rays, const ReflectedOrigins& origins, unsigned lanes);
   void send_back(const Vec3f& point, const Vec3f& direction, float distance);
+  [[nodiscard]] float interference(const RTCRay16& rays, const ReflectedOrigins& origins, const MirrorPaths& paths,
+                                   int lane) const;
   void return_by_water(const RTCRay16& rays, const ReflectedOrigins& origins, int lane, const Echo& echo);
   void finish_returns();
 

@@ -80,6 +80,7 @@ class ReferenceColumn {
   [[nodiscard]] bool return_leg_is_clear(const Reflection& path);
   void deposit_paper_echo(const Reflection& path, EchoGrid& grid);
   [[nodiscard]] precise::MirrorIntensities intensities(const Reflection& path) const;
+  [[nodiscard]] double interference(const Reflection& path, const Vec3& smooth, const precise::FacetReturn& over) const;
   void deposit_echoes_by_water(const Reflection& path, EchoGrid& grid, std::vector<Echo>& arrivals);
   void deposit_mirror_echoes(const Reflection& path, EchoGrid& grid, std::vector<Echo>& arrivals);
 

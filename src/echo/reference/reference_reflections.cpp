@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "echo/laws/laws.h"
+#include "echo/mirror/double_passage.h"
 #include "echo/mirror/secondary_echo.h"
 #include "echo/model/hit.h"
 #include "echo/reference/reference_column.h"
@@ -113,6 +114,22 @@ void ReferenceColumn::deposit_paper_echo(const Reflection& path, EchoGrid& grid)
   deposit(plan_, echo, grid);
 }
 
+// multipath.md, "Rough mirrors": double_passage() of a path.
+double ReferenceColumn::interference(const Reflection& path, const Vec3& smooth,
+                                     const precise::FacetReturn& over) const {
+  const auto seen = [&](const Vec3& direction) {
+    return Vec3f((world_from_sonar_.orientation.inverse() * direction).cast<float>());
+  };
+  return double{double_passage(plan_, column_,
+                               {.out = seen(rays_[path.row].direction),
+                                .smooth = seen(smooth),
+                                .on = seen(path.ray.direction),
+                                .range = static_cast<float>(first_[path.row].distance),
+                                .across = static_cast<float>(path.second.distance),
+                                .over = {static_cast<float>(over.glint), static_cast<float>(over.variance),
+                                         static_cast<float>(over.coherence)}})};
+}
+
 // multipath.md, "Three echoes", "Mirrors of finite size" and "Rough mirrors": the intensities dI_1 and dI_2.
 precise::MirrorIntensities ReferenceColumn::intensities(const Reflection& path) const {
   const RayHit& mirror = first_[path.row];
@@ -130,12 +147,14 @@ precise::MirrorIntensities ReferenceColumn::intensities(const Reflection& path) 
   };
   const precise::SecondAngles at = precise::second_angles(second, -1 * on, precise::triple_of(path.back.normalized()));
   precise::FacetReturn over = {at.arriving, 0, 1};
+  double in_phase = 1;
   if (plan_.has_facets()) {
     const double held = edges.finite ? precise::held_on_face(side(0), side(1), rho) : 1;
-    over = precise::facet_return({slope, coherence, cosine, mirror.distance, across, held}, on,
-                                 precise::reflect(direction, normal), second);
+    const precise::Triple smooth = precise::reflect(direction, normal);
+    over = precise::facet_return({slope, coherence, cosine, mirror.distance, across, held}, on, smooth, second);
+    in_phase = interference(path, {smooth.x, smooth.y, smooth.z}, over);
   }
-  return precise::mirror_intensities(
+  precise::MirrorIntensities intensities = precise::mirror_intensities(
       {.reflectance = precise::mirrored_by(reflecting, cosine) * std::pow(double{mirror.texture}, 2),
        .share = path.share,
        .there = there,
@@ -146,6 +165,8 @@ precise::MirrorIntensities ReferenceColumn::intensities(const Reflection& path) 
        .texture = path.second.texture,
        .over = over},
       precise::second_surface_of(plan_.scatter.scattering(path.second.surface()), at, slope), plan_.neper_per_metre);
+  intensities.twice *= in_phase;
+  return intensities;
 }
 
 // multipath.md, "Return over the water's surface": out over the mirror and back over the surface, and the reciprocal

@@ -114,19 +114,16 @@ std::optional<PointGhosts::Way> PointGhosts::way_of(const PingView& view, const 
   return way;
 }
 
-PointGhosts::Glint PointGhosts::glint(const FlatPlan& plan, std::size_t point, const Way& out, const Way& back,
-                                      std::uint64_t number) const {
-  if (!glints_ || (out.mirror != kWater && back.mirror != kWater)) {
-    return {1, 0};
+PointGhosts::Glint PointGhosts::glint(const FlatPlan& plan, std::size_t point, std::uint64_t number) const {
+  if (!glints_) {
+    return {1, 1, 0};
   }
-  // Number of the pair, for random numbers: 2 with the direct leg, 3 with the water itself, 4 and more with faces.
-  const int other = out.mirror == kWater ? back.mirror : out.mirror;
-  const auto pair = static_cast<std::uint32_t>(other + 4);
   const PhiloxCounter counter = {static_cast<std::uint32_t>(point), static_cast<std::uint32_t>(number),
                                  static_cast<std::uint32_t>(number >> 32),
-                                 static_cast<std::uint32_t>(RandomPurpose::kWaves) + (pair << 8)};
+                                 static_cast<std::uint32_t>(RandomPurpose::kWaves)};
   const PhiloxCounter words = philox(counter, philox_key(plan.seed));
-  return {-std::log(double{uniform_open(words[0])}), double{uniform_open(words[1])}};
+  const double intensity = -std::log(double{uniform_open(words[0])});
+  return {intensity, intensity * intensity, double{uniform_open(words[1])}};
 }
 
 // Adds the echoes of all pairs of legs, except that of the direct leg with itself.
@@ -134,6 +131,7 @@ void PointGhosts::add_echoes(const FlatPlan& plan, std::span<const Way> ways, st
                              EchoList& found) const {
   const double strength = std::pow(10.0, points_[point].target_strength_db / 10);
   const double own_turns = own_phase(plan, point);
+  const Glint waves = glint(plan, point, number);
   for (std::size_t i = 0; i < ways.size(); ++i) {
     for (std::size_t j = i; j < ways.size(); ++j) {
       const Way &out = ways[i], &back = ways[j];
@@ -141,10 +139,11 @@ void PointGhosts::add_echoes(const FlatPlan& plan, std::span<const Way> ways, st
       if (order == 1 || order > plan.max_surfaces) {
         continue;
       }
-      const Glint waves = glint(plan, point, out, back, number);
+      const int over_water = (out.mirror == kWater ? 1 : 0) + (back.mirror == kWater ? 1 : 0);
       const double range = 0.5 * (out.length + back.length);
-      const double intensity = waves.intensity * strength * out.intensity * back.intensity;
-      const double turns = plan.turns_per_metre * range + own_turns + out.turns + back.turns + waves.turns;
+      const double passed = over_water == 2 ? waves.twice : over_water == 1 ? waves.once : 1.0;
+      const double intensity = passed * strength * out.intensity * back.intensity;
+      const double turns = plan.turns_per_metre * range + own_turns + out.turns + back.turns + over_water * waves.turns;
       // Received by one leg, sent by the other.
       add_discrete_echo(plan, out.arrival, order, range, intensity * plan.sent_gain(back.arrival, out.arrival), turns,
                         found);

@@ -26,8 +26,10 @@ namespace insonify {
 /// times absorption and elevation pattern. Where i and j differ, the reciprocal path has the same phase and is added
 /// too. W is 1 for the direct leg, |R|^2 for the water's surface, and for a plane face the coherent reflectance |R|^2
 /// e^-g, times (A cos / (lambda r1 r2 / (r1 + r2)))^2 where its area A is smaller than the Fresnel zone. Each
-/// reflection at the water's surface shifts the phase by half a turn. Waves break an echo up into many glints: their
-/// sum has a random phase and an exponentially distributed intensity, independent from ping to ping.
+/// reflection at the water's surface shifts the phase by half a turn. Waves break a leg up into many glints: their sum
+/// has a random phase and an exponentially distributed intensity, independent from ping to ping. It is the same out and
+/// back, so that over waves both ways, where each pair of glints is also passed in the opposite order and in phase, the
+/// factor is the square of that of one leg, of the mean 2 (Ishimaru's enhanced backscattering).
 class PointGhosts final : public EchoSource {
  public:
   struct Surface {
@@ -69,12 +71,12 @@ class PointGhosts final : public EchoSource {
   [[nodiscard]] std::optional<Way> way_of(const PingView& view, const RayAnswers& hits, const Leg& leg) const;
   void add_echoes(const FlatPlan& plan, std::span<const Way> ways, std::size_t point, std::uint64_t number,
                   EchoList& found) const;
-  // Effect of waves on an echo: a factor on its intensity and an offset of its phase.
+  // Effect of waves: factors on the intensity of paths with one leg over the water and with both, and the offset of a
+  // leg's phase.
   struct Glint {
-    double intensity, turns;
+    double once, twice, turns;
   };
-  [[nodiscard]] Glint glint(const FlatPlan& plan, std::size_t point, const Way& out, const Way& back,
-                            std::uint64_t number) const;
+  [[nodiscard]] Glint glint(const FlatPlan& plan, std::size_t point, std::uint64_t number) const;
 
   std::span<const PointTarget> points_;
   std::optional<Surface> surface_;
