@@ -152,11 +152,11 @@ TEST(SurfaceLawTest, MirroredSoundFollowsTheFacetLobe) {
   EXPECT_NEAR(law.mirrored_into(kUp, -kUp, direction_of(std::cos(2 * b), 2)), expected, 1e-4 * expected);
 }
 
-// Energy drawn into four rings of directions, against the integrals of the densities. 200 000 draws; tolerance four
-// standard deviations of the sum, from the squares of the shares.
+// Energy and number of draws in four rings of directions, against the integrals of the densities. 200 000 draws;
+// tolerance four standard deviations of the sum, from the squares of the shares.
 void expect_draws_to_follow_the_densities(const SurfaceLaw& law, const Vec3f& in) {
   constexpr int kDraws = 200'000, kRings = 4;
-  std::array<double, kRings> sum{}, square{}, mirrored{};
+  std::array<double, kRings> sum{}, square{}, mirrored{}, drawn{};
   for (std::uint32_t i = 0; i < kDraws; ++i) {
     const PhiloxCounter words = philox({i, 1, 2, 3}, {4, 5});
     const SurfaceLaw::Next next =
@@ -168,6 +168,7 @@ void expect_draws_to_follow_the_densities(const SurfaceLaw& law, const Vec3f& in
       sum[ring] += next.share / kDraws;
       square[ring] += std::pow(next.share / kDraws, 2);
       mirrored[ring] += next.mirrored ? next.share / kDraws : 0;
+      drawn[ring] += 1.0 / kDraws;
     }
   }
   for (int ring = 0; ring < kRings; ++ring) {
@@ -176,6 +177,8 @@ void expect_draws_to_follow_the_densities(const SurfaceLaw& law, const Vec3f& in
     const double both = mirror + integral([&](const Vec3f& out) { return law.diffuse_into(kUp, out); }, low, high);
     EXPECT_NEAR(sum[ring], both, 4 * std::sqrt(square[ring])) << -in.z() << ", ring " << ring;
     EXPECT_NEAR(mirrored[ring], mirror, 4 * std::sqrt(square[ring])) << -in.z() << ", ring " << ring;
+    const double expected = integral([&](const Vec3f& out) { return law.density(kUp, in, out); }, low, high);
+    EXPECT_NEAR(drawn[ring], expected, 4 * std::sqrt(expected / kDraws)) << -in.z() << ", ring " << ring;
   }
 }
 

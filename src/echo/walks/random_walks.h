@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "echo/batch/echo_source.h"
+#include "echo/model/hit.h"
 #include "echo/walks/surface_law.h"
+#include "echo/walks/walk_draws.h"
 
 namespace insonify {
 
@@ -23,6 +25,15 @@ namespace insonify {
 /// All bearings of the full circle, in equal steps, have one walk each, and a ping takes those that its beams send to:
 /// one that turns has most of its walks in common with those before it. A two-way array sends to all cells, with its
 /// one-way gain there; where that is low, every second, fourth ... walk is taken, with so much more weight.
+///
+/// Few surfaces lie in the one beam of a two-way array, so that few legs back to the sonar are received. Each of its
+/// surfaces is therefore also connected to the sonar over the first surface of another walk, its partner, which lies in
+/// the beam: bidirectional path tracing (Veach 1997, ch. 10). A path that both ways find is weighted in each by the
+/// probability with which it is found, relative to that of both (his balance heuristic, section 9.2.2).
+///
+/// Echoes are labelled with the middle of the elevation aperture, not with the elevation that they arrive from: they
+/// are sums of many paths, whose speckle depends on bearing and range alone and is the same in all directions of a head
+/// that have it in their beam.
 ///
 /// A bounce is diffuse (D) or mirrored (M), so that a path is a word of these letters. Each word is counted exactly
 /// once:
@@ -64,6 +75,8 @@ class RandomWalks final : public EchoSource {
     float share = 1;                  // Remaining energy, relative to that launched.
     std::uint32_t index = 0;          // Number of its bearing in the world, which selects its random numbers.
     int column = 0;                   // Of the lattice, in which it was launched.
+    int partner = -1;                 // Number in partners_; -1 for none.
+    float density = 0;                // With which the direction of its next leg was drawn [1/sr].
     bool first_mirrored = false;      // Whether the first bounce was mirrored.
     SurfaceLabel first_surface = kNoSurface;
     Vec3f first_normal = Vec3f::Zero();
@@ -79,21 +92,40 @@ class RandomWalks final : public EchoSource {
     std::int64_t step;
   };
 
+  // The first surface of a walk, by which others return.
+  struct Partner {
+    Hit hit = {};
+    Vec3 point = Vec3::Zero();   // World frame [m].
+    double range = 0;            // From the sonar [m]; 0 if nothing was hit.
+    Vec3f back = Vec3f::Zero();  // Direction to the sonar.
+    FlatPlan::Arrival arrival = {};
+    float weight = 0;  // Solid angle that it represents, weighted by the pattern of reception, where each walk has one
+                       // partner of all [sr].
+  };
+
   void choose_steps(const FlatPlan& plan);
-  void launch(const PingView& view, const Launch& from, double offset, RayList& rays);
+  void choose_partners(const FlatPlan& plan);
+  void launch(const PingView& view, const Launch& from, RayList& rays);
+  void find_partners(const PingView& view, const RayAnswers& hits);
+  [[nodiscard]] float partner_density(double bearing, float facing, double range) const;
+  void connect_by_partner(const FlatPlan& plan, const Hit& hit, float choice, const Walk& walk);
+  void note_bounce(const FlatPlan& plan, const SurfaceLaw& law, const Hit& hit, bool mirrored, Walk& walk) const;
   void add_clear_legs(std::span<const Hit> legs, EchoList& found) const;
   void bounce_all(const PingView& view, const RayAnswers& hits, RayList& more);
-  bool bounce(const FlatPlan& plan, const Hit& hit, int order, Walk& walk);
-  void connect(const FlatPlan& plan, const Pose& world_from_sonar, const Hit& hit, const Vec3f& in, int order,
-               const Walk& walk);
+  bool bounce(const FlatPlan& plan, const Hit& hit, const WalkDraws& draws, Walk& walk);
+  void connect(const FlatPlan& plan, const Pose& world_from_sonar, const Hit& hit, const Walk& walk);
   [[nodiscard]] float per_steradian(const FlatPlan& plan, const SurfaceLaw& law, const Hit& hit, const Vec3f& in,
                                     const Vec3f& out, int order, const Walk& walk) const;
 
   Settings settings_;
   std::uint64_t number_ = 0;
   std::vector<Launch> launches_;
-  std::int64_t bearings_ = 1;  // Number of bearings on the full circle, a multiple of all steps.
-  std::int64_t first_ = 0;     // Walks are taken with each step from this bearing on.
+  std::int64_t bearings_ = 1;       // Number of bearings on the full circle, a multiple of all steps.
+  std::int64_t first_ = 0;          // Walks are taken with each step from this bearing on.
+  double offset_ = 0;               // BearingFrame::offset
+  std::vector<Partner> partners_;   // Of consecutive bearings; empty unless the array is two-way.
+  std::int64_t first_partner_ = 0;  // The bearing of the first.
+  double height_ = 0;               // Of the elevation aperture [rad].
   SurfaceLabel water_ = kNoSurface;
   int order_ = 0;            // Surfaces that the active walks will have met after the rays asked for.
   std::size_t walking_ = 0;  // Number of active walks, which come first in walks_ and in the rays asked for.

@@ -52,6 +52,19 @@ float facet_density(const SurfaceLaw& law, const Vec3f& normal, const Vec3f& in,
   return law.reflected_by_facet(-half.dot(in)) / (8 * kPi * variance) * facets * facet_masking(held, law.slope) / held;
 }
 
+// Density with which draw() draws directions reflected by facets [1/sr], before those into the surface are mirrored at
+// it: that of Gaussian slopes, 1/cos^3 of them per solid angle of the facet's normal, which is 1/(4 cos) of that of the
+// direction.
+float drawn_density(const SurfaceLaw& law, const Vec3f& normal, const Vec3f& in, const Vec3f& out) {
+  const Vec3f half = (out - in).normalized();
+  const float upright = half.dot(normal), met = -half.dot(in);
+  if (!(upright > 0) || !(met > 0)) {
+    return 0;
+  }
+  const float secant = 1 / upright, variance = law.slope * law.slope;
+  return secant * secant * secant * std::exp((1 - secant * secant) / (2 * variance)) / (8 * kPi * variance * met);
+}
+
 }  // namespace
 
 SurfaceLaw SurfaceLaw::of(const Scattering& scattering, float texture, float cosine) {
@@ -91,6 +104,16 @@ float SurfaceLaw::mirrored_into(const Vec3f& normal, const Vec3f& in, const Vec3
     return 0;
   }
   return facet_density(*this, normal, in, out) + facet_density(*this, normal, in, folded(normal, out));
+}
+
+float SurfaceLaw::density(const Vec3f& normal, const Vec3f& in, const Vec3f& out) const {
+  const float both = diffuse + mirrored;
+  if (!(both > 0) || !(normal.dot(out) > 0)) {
+    return 0;
+  }
+  const float by_facets =
+      mirrored > 0 ? drawn_density(*this, normal, in, out) + drawn_density(*this, normal, in, folded(normal, out)) : 0;
+  return (diffuse / kPi * normal.dot(out) + mirrored * by_facets) / both;
 }
 
 SurfaceLaw::Next SurfaceLaw::draw(const Vec3f& normal, const Vec3f& in, float choice, float radius, float turn) const {

@@ -45,6 +45,9 @@ struct SurfaceLaw {
   [[nodiscard]] float diffuse_into(const Vec3f& normal, const Vec3f& out) const;
   [[nodiscard]] float mirrored_into(const Vec3f& normal, const Vec3f& in, const Vec3f& out) const;
 
+  /// Density with which draw() draws a direction [1/sr].
+  [[nodiscard]] float density(const Vec3f& normal, const Vec3f& in, const Vec3f& out) const;
+
   /// A random direction of the scattered sound.
   struct Next {
     Vec3f direction;
