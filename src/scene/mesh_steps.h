@@ -20,8 +20,9 @@ std::size_t turn_normals_to_winding(Mesh& mesh);
 /// Unit normal of a triangle by the right-hand rule. The triangle must not be degenerate.
 [[nodiscard]] Vec3f face_normal(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle);
 
-/// Merges vertices with exactly equal position and normal (-0 equals 0) and removes those that no triangle uses. The
-/// order of the remaining ones is preserved. All indices must be valid, and `normals` as long as `vertices`.
+/// Moves vertices to the first within kSamePlace of them (same_places.h), but by no more than an eighth of the shortest
+/// triangle side there; merges those with equal position and normal (-0 equals 0); removes those that no triangle uses.
+/// The order of the remaining ones is preserved. All indices must be valid, and `normals` as long as `vertices`.
 void weld_vertices(Mesh& mesh);
 
 }  // namespace insonify

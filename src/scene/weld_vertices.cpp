@@ -1,10 +1,12 @@
-// weld_vertices.cpp -- merges equal vertices by a hash table with open addressing: linear in time, and with at most
-// eight bytes per vertex.
+// weld_vertices.cpp -- moves vertices that are nearly at one place to it, and merges equal ones by a hash table with
+// open addressing: linear in time.
 
+#include <algorithm>
 #include <bit>
 #include <limits>
 
 #include "scene/mesh_steps.h"
+#include "scene/same_places.h"
 
 namespace insonify {
 namespace {
@@ -69,14 +71,49 @@ std::vector<std::uint32_t> join(Mesh& mesh, const std::vector<bool>& used) {
   return moved;
 }
 
-}  // namespace
-
-void weld_vertices(Mesh& mesh) {
+void join_equal(Mesh& mesh) {
   const std::vector<std::uint32_t> moved = join(mesh, used_vertices(mesh));
   for (auto& triangle : mesh.triangles) {
     for (std::uint32_t& corner : triangle) {
       corner = moved[corner];
     }
+  }
+}
+
+// [vertex] An eighth of the shortest triangle side at it [m]: what is moved by less keeps its shape.
+std::vector<float> eighths_of_sides(const Mesh& mesh) {
+  std::vector<float> eighths(mesh.vertices.size(), std::numeric_limits<float>::infinity());
+  for (const auto& triangle : mesh.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t a = triangle[k], b = triangle[(k + 1) % 3];
+      const float eighth = 0.125F * (mesh.vertices[a] - mesh.vertices[b]).norm();
+      eighths[a] = std::min(eighths[a], eighth);
+      eighths[b] = std::min(eighths[b], eighth);
+    }
+  }
+  return eighths;
+}
+
+// Moves vertices to others within same_place_tolerance(). False if there are none.
+bool move_together(Mesh& mesh) {
+  Workers alone(1);
+  const std::vector<std::uint32_t> numbers =
+      same_places(mesh.vertices, same_place_tolerance(mesh.vertices), eighths_of_sides(mesh), alone);
+  bool any = false;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const Vec3f place = mesh.vertices[numbers[i]];
+    any = any || mesh.vertices[i] != place;
+    mesh.vertices[i] = place;
+  }
+  return any;
+}
+
+}  // namespace
+
+void weld_vertices(Mesh& mesh) {
+  join_equal(mesh);
+  if (move_together(mesh)) {
+    join_equal(mesh);
   }
 }
 

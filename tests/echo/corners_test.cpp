@@ -230,6 +230,19 @@ TEST(CornersTest, ThreeCrossingPlatesHaveEight) {
   EXPECT_EQ(corners_of(scene_of_parts(gone), {}).size(), 0U);
 }
 
+// 20 000 copies of each mirror, in both windings, are one. Pairs of copies are not compared, of which there are 1.2e9.
+TEST(CornersTest, CopiesOfAMirrorAreOne) {
+  const Corner one = only_corner(scene_of_parts({instance_of(trihedral(0.3, false), kPose)}));
+  Mesh mesh = trihedral(0.3, false);
+  for (std::size_t i = 0; i < 3 * 20'000; ++i) {
+    const auto [a, b, c] = mesh.triangles[i % 3];
+    mesh.triangles.push_back(i % 2 == 0 ? std::array{a, b, c} : std::array{a, c, b});
+  }
+  const Corner corner = only_corner(scene_of_parts({instance_of(std::move(mesh), kPose)}));
+  EXPECT_TRUE(corner.apex.isApprox(one.apex, 1e-9));
+  EXPECT_EQ(corner.extents, one.extents);
+}
+
 TEST(CornersTest, CurvedAndRuggedSurfacesHaveNone) {
   EXPECT_EQ(corners_of(scene_of_parts({instance_of(make_sphere(1, 0.3))}), {}).size(), 0U);
   Instance rugged = instance_of(trihedral(0.3, true));

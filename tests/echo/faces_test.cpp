@@ -29,6 +29,39 @@ TEST(FacesTest, ABoxHasSixAndASphereNone) {
   EXPECT_TRUE(find_faces(make_sphere(0.5), workers)->faces.empty());
 }
 
+// Both sides of a plate, cut into two triangles on one side and 18 on the other, and given twice: one face, as wide and
+// high as the plate.
+TEST(FacesTest, BothSidesOfAPlateAreOneFace) {
+  for (const int copies : {1, 2}) {
+    Mesh plate;
+    const auto add = [&](const std::array<Vec3f, 4>& corners, float side) {
+      const auto first = static_cast<std::uint32_t>(plate.vertices.size());
+      for (const Vec3f& corner : corners) {
+        plate.vertices.push_back(corner);
+        plate.normals.emplace_back(0, 0, side);
+      }
+      for (int copy = 0; copy < copies; ++copy) {
+        plate.triangles.push_back({first, first + 1, first + 2});
+        plate.triangles.push_back({first, first + 2, first + 3});
+      }
+    };
+    add({Vec3f(0, 0, 0), Vec3f(0.6F, 0, 0), Vec3f(0.6F, 0.3F, 0), Vec3f(0, 0.3F, 0)}, 1);
+    for (int i = 0; i < 9; ++i) {
+      const float x = 0.2F * static_cast<float>(i / 3), y = 0.1F * static_cast<float>(i % 3);
+      add({Vec3f(x, y, 0), Vec3f(x, y + 0.1F, 0), Vec3f(x + 0.2F, y + 0.1F, 0), Vec3f(x + 0.2F, y, 0)}, -1);
+    }
+    const auto found = find_faces(plate, workers);
+    ASSERT_EQ(found->faces.size(), 1U);
+    const Face& face = found->faces.front();
+    EXPECT_NEAR(face.half[0] + face.half[1], 0.45, 1e-6);
+    EXPECT_NEAR(face.width(), 0.3, 1e-6);
+    EXPECT_NEAR((plate.vertices[face.corner] + face.middle[0] * face.axes[0] + face.middle[1] * face.axes[1] -
+                 Vec3f(0.3F, 0.15F, 0))
+                    .norm(),
+                0, 1e-6);
+  }
+}
+
 // The ends of a cylinder are plane, its mantle is not. A disc of radius a has the area of a square of side sqrt(pi) a.
 TEST(FacesTest, EndsOfACylinderAreDiscs) {
   const auto found = find_faces(make_cylinder(0.3, 2), workers);

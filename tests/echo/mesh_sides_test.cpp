@@ -40,11 +40,40 @@ TEST(MeshSidesTest, NumbersAreTheFirstVerticesAtEachPlace) {
   }
 }
 
+// A square of two triangles beside three of a third of its height each, the corners of which are 2e-5 m off its side.
+TEST(MeshSidesTest, CornersOfOthersDivideASide) {
+  Mesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 3, 0}, {0, 3, 0}, {2, 0, 0}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  for (const float y : {1.F, 2.F}) {
+    mesh.vertices.emplace_back(1, y, 2e-5F);
+  }
+  mesh.triangles.push_back({1, 4, 5});
+  mesh.triangles.push_back({5, 4, 6});
+  mesh.triangles.push_back({6, 4, 2});
+  Workers workers(2);
+  const MeshSides sides(mesh, workers);
+  EXPECT_EQ(sides.count(), 15U + 3U);
+  std::map<MeshSides::Ends, std::vector<std::uint32_t>> triangles;
+  sides.for_each_edge(0, sides.vertex_count(), [&](std::span<const std::uint32_t> together) {
+    for (const std::uint32_t side : together) {
+      triangles[sides.ends(side)].push_back(sides.triangle(side));
+      EXPECT_EQ(sides.ends(side).low == sides.opposite(side) || sides.ends(side).high == sides.opposite(side), false);
+    }
+  });
+  EXPECT_FALSE(triangles.contains({1, 2}));
+  EXPECT_EQ((triangles[{1, 5}]), (std::vector<std::uint32_t>{2, 0}));
+  EXPECT_EQ((triangles[{5, 6}]), (std::vector<std::uint32_t>{3, 0}));
+  EXPECT_EQ((triangles[{2, 6}]), (std::vector<std::uint32_t>{4, 0}));
+  EXPECT_TRUE(sides.runs_upwards(15));  // From corner 1 to 5, as the side of the first triangle runs.
+}
+
 TEST(MeshSidesTest, SidesWithTheSameEndsAreTogetherAndInOrder) {
   const Mesh mesh = random_mesh(400, 20'000);
   for (const int threads : {1, 4}) {
     Workers workers(threads);
     const MeshSides sides(mesh, workers);
+    ASSERT_EQ(sides.count(), 3 * mesh.triangles.size());  // None has corners of others on it.
     std::map<MeshSides::Ends, std::vector<std::uint32_t>> expected;
     for (std::uint32_t side = 0; side < 3 * mesh.triangles.size(); ++side) {
       if (const MeshSides::Ends ends = sides.ends(side); ends.low != ends.high) {

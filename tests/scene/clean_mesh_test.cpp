@@ -118,6 +118,30 @@ TEST(CleanMeshTest, SmoothsAShapeWithoutNormals) {
   }
 }
 
+// Texts of six digits, and programs that compute corners anew for each triangle, move them by some 1e-6 m.
+TEST(CleanMeshTest, CornersThatAreMovedALittleAreOne) {
+  const Mesh sphere = make_sphere(0.5, 0.1);
+  Mesh mesh = as_soup(sphere);
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    mesh.vertices[i] += 2e-6F * Vec3f(std::sin(static_cast<float>(7 * i)), std::sin(static_cast<float>(5 * i)),
+                                      std::cos(static_cast<float>(3 * i)));
+  }
+  EXPECT_EQ(clean_mesh(mesh).dropped(), 0U);
+  EXPECT_EQ(mesh.vertices.size(), sphere.vertices.size());
+  EXPECT_EQ(mesh.triangles.size(), sphere.triangles.size());
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    ASSERT_GT(mesh.normals[i].dot(mesh.vertices[i].normalized()), std::cos(0.02));
+  }
+}
+
+TEST(CleanMeshTest, SmallTrianglesKeepTheirCorners) {
+  Mesh mesh = make_box({1e-4, 2e-4, 2e-5});
+  mesh.normals.clear();
+  EXPECT_EQ(clean_mesh(mesh).dropped(), 0U);
+  EXPECT_EQ(mesh.vertices.size(), 24U);
+  EXPECT_TRUE(is_closed(mesh));
+}
+
 TEST(CleanMeshTest, SplitsABoxAtItsEdges) {
   Mesh mesh = as_soup(make_box({1, 2, 3}));
   const MeshReport report = clean_mesh(mesh);

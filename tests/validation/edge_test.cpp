@@ -81,6 +81,100 @@ TEST_P(EdgeTest, PostHasTheEchoOfItsEdge) {
   }
 }
 
+// The post with every face given twice, in both windings, and its corners moved by up to 1e-6 m; and cut into two
+// halves whose other faces are whole, so that corners lie on sides.
+Mesh cut_otherwise(const Mesh& plain, bool twice, bool halves) {
+  std::vector<std::array<Vec3f, 3>> triangles;
+  for (const auto& [a, b, c] : plain.triangles) {
+    const std::array<Vec3f, 3> corners = {plain.vertices[a], plain.vertices[b], plain.vertices[c]};
+    // The faces across x are cut at z = 0.2: their two triangles into three each.
+    if (halves && plain.normals[a].x() > 0.5F) {
+      const auto above = [](const Vec3f& corner) { return corner.z() > 0.2F; };
+      const int count = static_cast<int>(std::ranges::count_if(corners, above));
+      int lone = 0;  // The corner that is on its side alone.
+      while (above(corners[lone]) != (count == 1)) {
+        ++lone;
+      }
+      const Vec3f &p = corners[lone], &q = corners[(lone + 1) % 3], &r = corners[(lone + 2) % 3];
+      const auto cut = [&](const Vec3f& end) { return Vec3f(p + (0.2F - p.z()) / (end.z() - p.z()) * (end - p)); };
+      triangles.push_back({p, cut(q), cut(r)});
+      triangles.push_back({cut(q), q, r});
+      triangles.push_back({cut(q), r, cut(r)});
+    } else {
+      triangles.push_back(corners);
+    }
+    if (twice) {
+      triangles.push_back({corners[2], corners[1], corners[0]});
+    }
+  }
+  Mesh mesh;
+  float off = 0;
+  for (const std::array<Vec3f, 3>& corners : triangles) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (const Vec3f& corner : corners) {
+      off = std::fmod(off + 0.618F, 1.0F);
+      mesh.vertices.push_back(corner + 1e-6F * Vec3f(off, -off, 1 - 2 * off));
+    }
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  }
+  EXPECT_EQ(clean_mesh(mesh).dropped(), 0U);
+  return mesh;
+}
+
+TEST_P(EdgeTest, PostIsTheSameHoweverItIsCut) {
+  const Scene plain = post_at(9, 33 * kDegree, polished(0.8));
+  for (const auto& [twice, halves] : {std::pair(true, false), std::pair(false, true), std::pair(false, false)}) {
+    const Scene cut = scene_of(cut_otherwise(*plain.instances[0].mesh, twice, halves), polished(0.8),
+                               plain.instances[0].world_from_mesh);
+    for (const int bins : {25, 5}) {
+      Scenario scenario = scenario_at(9, GetParam());
+      scenario.sonars[0].bin_count = bins;
+      EXPECT_NEAR(total_db(ping_of(scenario, cut)), total_db(ping_of(scenario, plain)), 0.01) << twice << halves;
+      EXPECT_NEAR(cell_db(ping_of(scenario, cut), bins / 2, 15), post_level(9, 33, 0.8), kRipple) << twice << halves;
+    }
+  }
+}
+
+// Half-planes: n = 2 and R = .8, a sheet of 0.4 x 3 m turned by 40 degrees. By hand of its far border, at 50 degrees
+// from the face, S = -(2 + .8 (cot 20 + cot(-110)))/8 pi = -(2 + .8 (2.74748 + .36397))/8 pi = -.178618; of the near
+// one, at 130 degrees, -(2 + .8 (cot(-20) + cot(-70)))/8 pi = .019463. Both sides of the sheet as faces in one place,
+// as a box of less than 1 mm and as two faces without a rim are the plate of one face.
+TEST_P(EdgeTest, SheetsAreOnePlate) {
+  const auto scene = [&](const Mesh& mesh) {
+    return scene_of(mesh, polished(0.8),
+                    {.position = {10, 0, 0}, .orientation = orientation_from_rpy(0, 0, 40 * kDegree)});
+  };
+  const Scenario scenario = scenario_at(10, GetParam());
+  const Mesh plate = make_plane(-Vec3::UnitX(), 3, 0.4);
+  const Ping one = ping_of(scenario, scene(plate));
+  double expected = 0;
+  for (const auto& [scattered, side] : {std::pair(0.178618, 1), {0.019463, -1}}) {
+    const double range = std::hypot(10 + 0.2 * side * std::sin(40 * kDegree), 0.2 * std::cos(40 * kDegree));
+    expected += scattered * scattered * kWavelength / (2 * std::pow(range, 3));
+  }
+  EXPECT_NEAR(total_db(one), 10 * std::log10(expected), kRipple);
+  Mesh both = plate;
+  for (const auto& [a, b, c] : plate.triangles) {
+    both.triangles.push_back({c, b, a});
+  }
+  Mesh open = make_box({6e-4, 0.4, 3});
+  std::erase_if(open.triangles, [&](const auto& corners) { return std::abs(open.normals[corners[0]].x()) < 0.5F; });
+  for (const Mesh& mesh : {both, open, make_box({1e-5, 0.4, 3}), make_box({3e-4, 0.4, 3}), make_box({9e-4, 0.4, 3})}) {
+    EXPECT_NEAR(total_db(ping_of(scenario, scene(mesh))), total_db(one), 0.05);
+  }
+}
+
+// A sheet head on is the mirror of its nearer side alone, up to 2 mm thick as well as beyond: |R|^2/(2 d)^2 of a large
+// one, -20 log 20 + 20 log .8 = -27.96 dB; its Fresnel zones are 13 cm wide.
+TEST_P(EdgeTest, SheetsHaveOneGlint) {
+  for (const double thickness : {2e-4, 1.3e-3, 1.9e-3, 3e-3}) {
+    const double x = 10 + 0.5 * thickness;
+    const Ping ping = ping_of(scenario_at(10, GetParam()),
+                              scene_of(make_box({thickness, 3, 3}), polished(0.8), {.position = {x, 0, 0}}));
+    EXPECT_NEAR(total_db(ping), -27.96, 0.5) << thickness;
+  }
+}
+
 // Foam is softer than water: its reflection is negative, and its edge as strong again. By hand: 200 kg/m^3 and 500 m/s
 // in water of 1026 and 1500, Rayleigh's R at 45 degrees (.1949 x .7071 - sqrt(9 - .5)) / (.1949 x .7071 + sqrt(9 - .5))
 // =

@@ -48,6 +48,30 @@ TEST_P(NarrowTargetTest, BallsHaveTheirTargetStrengthInEveryPing) {
   }
 }
 
+// A ball is one body whether its triangles are given once, twice, or on both sides, whichever is given first.
+TEST_P(NarrowTargetEffectTest, BallsGivenTwiceEchoOnce) {
+  for (const double radius : {0.02, 0.15}) {
+    const double distance = 200 * radius + 10;
+    const Mesh ball = make_sphere(radius, 0.26);
+    const auto copied = [&](bool first, bool second) {  // Whether each copy is turned inwards.
+      Mesh mesh = ball;
+      mesh.triangles.clear();
+      for (const bool turned : {first, second}) {
+        for (const auto& [a, b, c] : ball.triangles) {
+          mesh.triangles.push_back({a, turned ? c : b, turned ? b : c});
+        }
+      }
+      EXPECT_EQ(clean_mesh(mesh).dropped(), 0U);
+      return mesh;
+    };
+    for (const Mesh& mesh : {copied(false, false), copied(false, true), copied(true, false)}) {
+      const Levels levels = levels_of(calibrated(default_sonar(distance + 5), GetParam()),
+                                      scene_of(mesh, glinting(kReflection, 0.05), {.position = {distance, 0, 0}}));
+      EXPECT_NEAR(levels.mean_db, 10 * std::log10(ball_intensity(radius, distance, 0.05, -200)), 0.25) << radius;
+    }
+  }
+}
+
 // An ellipsoid along an axis of length a: |R|^2 R1 R2 / 4 with the radii of curvature R1 = b^2 / a and R2 = c^2 / a,
 // less by 1 + R / r for each at the range r to its front.
 double ellipsoid_db(const Vec3& radii, double distance) {

@@ -42,38 +42,32 @@ Vec3f area_vector(const Mesh& mesh, std::size_t triangle) {
   return 0.5F * (mesh.vertices[corners[1]] - a).cross(mesh.vertices[corners[2]] - a);
 }
 
-// Longest of those sides of a group of triangles that only one of them has; kNone without any.
-// @param outer  [side] 1 for these.
-std::uint32_t longest_outer_side(const Mesh& mesh, const MeshSides& sides, const std::vector<std::uint8_t>& outer,
-                                 std::span<const std::uint32_t> group) {
-  std::uint32_t found = kNone;
-  float longest = 0;
-  for (const std::uint32_t triangle : group) {
-    for (std::uint32_t side = 3 * triangle; side < 3 * triangle + 3; ++side) {
-      if (outer[side] != 0) {
-        const auto [low, high] = sides.ends(side);
-        const float length = (mesh.vertices[high] - mesh.vertices[low]).norm();
-        if (length > longest || (found != kNone && length == longest && sides.ends(side) < sides.ends(found))) {
-          longest = length;
-          found = side;
-        }
-      }
+// The outline of a face.
+struct Outline {
+  MeshSides::Ends longest = {kNone, kNone};  // Ends of its longest side; of equal ones, the first.
+  float length = 0;                          // Of that side [m].
+  float around = 0, layers = 0;              // Length of all sides [m], also as often as its triangles have them.
+
+  void add(const Mesh& mesh, const MeshSides::Ends& ends, std::size_t times) {
+    const float own = (mesh.vertices[ends.high] - mesh.vertices[ends.low]).norm();
+    if (own > length || (own == length && ends < longest)) {
+      longest = ends;
+      length = own;
     }
+    around += own;
+    layers += own * static_cast<float>(times);
   }
-  return found;
-}
+};
 
 // Rectangle of a group of triangles: aligned with its longest outer side, with its centroid and area, and with the
-// ratio of its extents.
-Face measure(const Mesh& mesh, const MeshSides& sides, const std::vector<std::uint8_t>& outer,
-             std::span<const std::uint32_t> group) {
+// ratio of its extents. The area counts once where triangles cover each other.
+Face measure(const Mesh& mesh, const Outline& outline, std::span<const std::uint32_t> group) {
   Face face{.corner = mesh.triangles[group.front()][0]};
   const Vec3f normal = area_vector(mesh, group.back()).normalized();
-  Vec3f along = normal.unitOrthogonal();
-  if (const std::uint32_t side = longest_outer_side(mesh, sides, outer, group); side != kNone) {
-    const auto [low, high] = sides.ends(side);
-    along = (mesh.vertices[high] - mesh.vertices[low]).normalized();
-  }
+  const Vec3f along =
+      outline.length > 0
+          ? Vec3f((mesh.vertices[outline.longest.high] - mesh.vertices[outline.longest.low]).normalized())
+          : normal.unitOrthogonal();
   face.axes = {along, normal.cross(along).normalized()};
 
   const Vec3f origin = mesh.vertices[face.corner];
@@ -98,7 +92,8 @@ Face measure(const Mesh& mesh, const MeshSides& sides, const std::vector<std::ui
     face.middle[axis] = face.axes[axis].dot(moment) / area;
     extents[axis] = high - low;
   }
-  const float fill = std::sqrt(area / (extents[0] * extents[1]));
+  const float times = outline.layers > outline.around ? outline.layers / outline.around : 1;
+  const float fill = std::sqrt(area / times / (extents[0] * extents[1]));
   face.half = {0.5F * fill * extents[0], 0.5F * fill * extents[1]};
   return face;
 }
@@ -123,23 +118,21 @@ std::vector<Vec3f> flat_normals(const Mesh& mesh, Workers& workers) {
   return normals;
 }
 
-// [triangle] Root of its group: flat triangles that are connected and coplanar. Sides of more than two triangles
-// connect all with the first one.
+// [triangle] Root of its group: flat triangles that are connected and coplanar, of whatever winding.
 std::vector<std::uint32_t> grouped(const Mesh& mesh, const MeshSides& sides, const std::vector<Vec3f>& normals,
                                    Workers& workers) {
-  std::vector<std::uint32_t> beside(3 * normals.size(), kNone);  // [side] Triangle that it connects with.
+  constexpr std::size_t kMostCompared = 8;                  // First triangles of a side that others are compared with.
+  std::vector<std::uint32_t> beside(sides.count(), kNone);  // [side] Triangle that it connects with.
   for_each_block(workers, sides.vertex_count(), kBlock, [&](std::size_t begin, std::size_t end) {
     sides.for_each_edge(begin, end, [&](std::span<const std::uint32_t> together) {
-      std::uint32_t other = kNone;
-      for (const std::uint32_t side : together) {
-        const std::uint32_t i = side / 3;
-        if (normals[i].isZero()) {
-          continue;
-        }
-        if (other == kNone) {
-          other = i;
-        } else if (std::abs(normals[other].dot(normals[i])) > kSameNormal && mesh.slot_of(other) == mesh.slot_of(i)) {
-          beside[side] = other;
+      for (std::size_t k = 1; k < together.size(); ++k) {
+        const std::uint32_t i = sides.triangle(together[k]);
+        for (const std::uint32_t side : together.first(std::min(k, kMostCompared))) {
+          const std::uint32_t other = sides.triangle(side);
+          if (std::abs(normals[other].dot(normals[i])) > kSameNormal && mesh.slot_of(other) == mesh.slot_of(i)) {
+            beside[together[k]] = other;
+            break;
+          }
         }
       }
     });
@@ -147,7 +140,7 @@ std::vector<std::uint32_t> grouped(const Mesh& mesh, const MeshSides& sides, con
   Groups groups(normals.size());  // In the order of the triangles, on which the roots depend, and the faces' order.
   for (std::uint32_t side = 0; side < beside.size(); ++side) {
     if (beside[side] != kNone) {
-      groups.parent[groups.root(side / 3)] = groups.root(beside[side]);
+      groups.parent[groups.root(sides.triangle(side))] = groups.root(beside[side]);
     }
   }
   for (std::uint32_t i = 0; i < normals.size(); ++i) {
@@ -174,31 +167,38 @@ std::size_t number_faces(const std::vector<std::uint32_t>& roots, std::vector<st
   return count;
 }
 
-// [side] 1 for the sides of a face that only one of its triangles has.
-std::vector<std::uint8_t> outer_sides(const MeshSides& sides, const std::vector<std::uint32_t>& face_of,
-                                      Workers& workers) {
-  std::vector<std::uint8_t> outer(3 * face_of.size(), 0);
-  for_each_block(workers, sides.vertex_count(), kBlock, [&](std::size_t begin, std::size_t end) {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> by_face;
-    sides.for_each_edge(begin, end, [&](std::span<const std::uint32_t> together) {
-      by_face.clear();
-      for (const std::uint32_t side : together) {
-        by_face.emplace_back(face_of[side / 3], side);
+// [face] Outlines: the sides that have triangles of the face in one direction only.
+std::vector<Outline> outlines_of(const Mesh& mesh, const MeshSides& sides, const std::vector<Vec3f>& normals,
+                                 const std::vector<std::uint32_t>& face_of, std::size_t count) {
+  std::vector<Outline> outlines(count);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> by_face;
+  sides.for_each_edge(0, sides.vertex_count(), [&](std::span<const std::uint32_t> together) {
+    by_face.clear();
+    for (const std::uint32_t side : together) {
+      by_face.emplace_back(face_of[sides.triangle(side)], side);
+    }
+    std::ranges::sort(by_face);
+    for (std::size_t first = 0, last = 0; first < by_face.size() && by_face[first].first != kNone; first = last) {
+      // A triangle lies to the left of its side, seen from the tip of its normal.
+      const auto lies_left = [&](std::uint32_t side) {
+        const bool same = normals[sides.triangle(side)].dot(normals[sides.triangle(by_face[first].second)]) > 0;
+        return sides.runs_upwards(side) == same;
+      };
+      std::size_t left = 0;
+      for (; last < by_face.size() && by_face[last].first == by_face[first].first; ++last) {
+        left += lies_left(by_face[last].second) ? 1 : 0;
       }
-      std::ranges::sort(by_face);
-      for (std::size_t i = 0; i < by_face.size(); ++i) {
-        const bool alone = (i == 0 || by_face[i - 1].first != by_face[i].first) &&
-                           (i + 1 == by_face.size() || by_face[i + 1].first != by_face[i].first);
-        outer[by_face[i].second] = alone && by_face[i].first != kNone ? 1 : 0;
+      if (left == 0 || left == last - first) {
+        outlines[by_face[first].first].add(mesh, sides.ends(together[0]), last - first);
       }
-    });
+    }
   });
-  return outer;
+  return outlines;
 }
 
-// Measures the faces, given how many there are and which one each triangle belongs to.
-void measure_all(const Mesh& mesh, const MeshSides& sides, std::size_t count, Workers& workers, MeshFaces& found) {
-  const std::vector<std::uint8_t> outer = outer_sides(sides, found.face_of, workers);
+// Measures the faces, given their outlines and which one each triangle belongs to.
+void measure_all(const Mesh& mesh, const std::vector<Outline>& outlines, Workers& workers, MeshFaces& found) {
+  const std::size_t count = outlines.size();
   std::vector<std::uint32_t> ends(count + 1, 0), members;  // [face] End of its triangles in `members`.
   for (const std::uint32_t face : found.face_of) {
     if (face != kNone) {
@@ -216,7 +216,7 @@ void measure_all(const Mesh& mesh, const MeshSides& sides, std::size_t count, Wo
   for_each_block(workers, count, 64, [&](std::size_t first, std::size_t last) {
     for (std::size_t face = first; face < last; ++face) {
       const std::uint32_t begin = face == 0 ? 0 : ends[face - 1];
-      found.faces[face] = measure(mesh, sides, outer, std::span(members).subspan(begin, ends[face] - begin));
+      found.faces[face] = measure(mesh, outlines[face], std::span(members).subspan(begin, ends[face] - begin));
     }
   });
 }
@@ -231,12 +231,11 @@ bool is_flat(const Mesh& mesh, std::size_t triangle, const Vec3f& normal) {
 
 std::shared_ptr<const MeshFaces> find_faces(const Mesh& mesh, Workers& workers) {
   auto found = std::make_shared<MeshFaces>();
-  std::vector<Vec3f> normals = flat_normals(mesh, workers);
+  const std::vector<Vec3f> normals = flat_normals(mesh, workers);
   if (!normals.empty()) {
     const MeshSides sides(mesh, workers);
     const std::size_t count = number_faces(grouped(mesh, sides, normals, workers), found->face_of);
-    std::vector<Vec3f>().swap(normals);
-    measure_all(mesh, sides, count, workers, *found);
+    measure_all(mesh, outlines_of(mesh, sides, normals, found->face_of, count), workers, *found);
   }
   return found;
 }

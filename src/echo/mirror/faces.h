@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -13,12 +14,15 @@
 
 namespace insonify {
 
-/// A plane face: connected coplanar triangles, approximated by a rectangle of equal area and centroid.
+/// A plane face: connected coplanar triangles, approximated by a rectangle of equal area and centroid. Triangles that
+/// cover each other, such as both sides of a plate, are one face, with the area of one.
 struct Face {
   std::uint32_t corner = 0;  ///< Index of one of its vertices, the origin of `middle`.
   std::array<Vec3f, 2> axes = {Vec3f::Zero(), Vec3f::Zero()};  ///< Unit vectors along its sides, in the mesh frame.
   std::array<float, 2> middle = {};  ///< Coordinates of the rectangle's middle along the axes [m].
   std::array<float, 2> half = {};    ///< Half lengths [m].
+
+  [[nodiscard]] float width() const { return 2 * std::min(half[0], half[1]); }  ///< Of its shorter sides [m].
 };
 
 /// The faces of a mesh.

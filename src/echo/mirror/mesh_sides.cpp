@@ -1,107 +1,72 @@
-// mesh_sides.cpp -- welds vertices in a hash table that all threads fill, and sorts sides by counting.
+// mesh_sides.cpp -- sorts sides by counting, and divides those on which corners of others lie.
 
 #include "echo/mirror/mesh_sides.h"
 
 #include <algorithm>
 #include <atomic>
-#include <bit>
 #include <utility>
 
 #include "base/parallel_blocks.h"
+#include "echo/mirror/point_tree.h"
+#include "scene/same_places.h"
 
 namespace insonify {
 namespace {
 
 constexpr std::size_t kItemsOfTask = 1 << 14;  // Vertices or triangles.
-constexpr std::uint32_t kEmpty = 0xffffffff;
-
-std::size_t hash_of(const Vec3f& place) {
-  std::uint64_t hash = 0;
-  for (const float x : place) {  // -0 is equal to 0.
-    hash = (hash ^ std::bit_cast<std::uint32_t>(x + 0.0F)) * 0x9e3779b97f4a7c15U;
-    hash ^= hash >> 29;
-  }
-  return hash;
-}
-
-// A table of vertices with linear probing. The slot of a position is that in which a vertex at it came first, and holds
-// the lowest one.
-class PlaceTable {
- public:
-  explicit PlaceTable(const Mesh& mesh) : mesh_(mesh), slots_(std::bit_ceil(2 * mesh.vertices.size() + 1), kEmpty) {}
-
-  void add(std::uint32_t vertex) {
-    for (std::size_t i = first_slot(vertex);; i = (i + 1) & (slots_.size() - 1)) {
-      const std::atomic_ref<std::uint32_t> slot(slots_[i]);
-      std::uint32_t held = slot.load(std::memory_order_relaxed);
-      while (held == kEmpty || (vertex < held && is_same(held, vertex))) {
-        if (slot.compare_exchange_weak(held, vertex, std::memory_order_relaxed)) {
-          return;
-        }
-      }
-      if (is_same(held, vertex)) {
-        return;
-      }
-    }
-  }
-
-  // After all have been added.
-  [[nodiscard]] std::uint32_t lowest(std::uint32_t vertex) const {
-    std::size_t i = first_slot(vertex);
-    while (!is_same(slots_[i], vertex)) {
-      i = (i + 1) & (slots_.size() - 1);
-    }
-    return slots_[i];
-  }
-
- private:
-  [[nodiscard]] std::size_t first_slot(std::uint32_t vertex) const {
-    return hash_of(mesh_.vertices[vertex]) & (slots_.size() - 1);
-  }
-  // NaN is the same as itself only.
-  [[nodiscard]] bool is_same(std::uint32_t a, std::uint32_t b) const {
-    return a == b || mesh_.vertices[a] == mesh_.vertices[b];
-  }
-
-  const Mesh& mesh_;
-  std::vector<std::uint32_t> slots_;
-};
+constexpr std::size_t kMostParts = 256;        // Sides with more corners on them stay whole.
 
 }  // namespace
 
 std::vector<std::uint32_t> welded_vertices(const Mesh& mesh, Workers& workers) {
-  PlaceTable table(mesh);
-  std::vector<std::uint32_t> numbers(mesh.vertices.size());
-  for_each_block(workers, numbers.size(), kItemsOfTask, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      table.add(static_cast<std::uint32_t>(i));
-    }
-  });
-  for_each_block(workers, numbers.size(), kItemsOfTask, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      numbers[i] = table.lowest(static_cast<std::uint32_t>(i));
-    }
-  });
-  return numbers;
+  return same_places(mesh.vertices, same_place_tolerance(mesh.vertices), {}, workers);
 }
 
 MeshSides::Ends MeshSides::ends(std::uint32_t side) const {
-  const auto& corners = mesh_.triangles[side / 3];
-  const std::uint32_t a = numbers_[corners[side % 3]], b = numbers_[corners[(side + 1) % 3]];
+  std::uint32_t a = 0, b = 0;
+  if (const auto first = static_cast<std::uint32_t>(3 * mesh_.triangles.size()); side < first) {
+    const auto& corners = mesh_.triangles[side / 3];
+    a = numbers_[corners[side % 3]];
+    b = numbers_[corners[(side + 1) % 3]];
+  } else {
+    a = parts_[side - first].from;
+    b = parts_[side - first].to;
+  }
   return a < b ? Ends{a, b} : Ends{b, a};
 }
 
 bool MeshSides::runs_upwards(std::uint32_t side) const {
+  if (const auto first = static_cast<std::uint32_t>(3 * mesh_.triangles.size()); side >= first) {
+    return parts_[side - first].from < parts_[side - first].to;
+  }
   const auto& corners = mesh_.triangles[side / 3];
   return numbers_[corners[side % 3]] < numbers_[corners[(side + 1) % 3]];
 }
 
+std::uint32_t MeshSides::opposite(std::uint32_t side) const {
+  const std::uint32_t of = whole(side);
+  return mesh_.triangles[of / 3][(of + 2) % 3];
+}
+
+bool MeshSides::has_corners(std::uint32_t triangle) const {
+  const auto& corners = mesh_.triangles[triangle];
+  const std::uint32_t a = numbers_[corners[0]], b = numbers_[corners[1]], c = numbers_[corners[2]];
+  return a != b && b != c && c != a;
+}
+
 MeshSides::MeshSides(const Mesh& mesh, Workers& workers)
     : mesh_(mesh), numbers_(welded_vertices(mesh, workers)), ends_(mesh.vertices.size(), 0) {
+  sort_sides(workers);
+  divide_sides(workers);
+}
+
+void MeshSides::sort_sides(Workers& workers) {
+  std::ranges::fill(ends_, 0U);
   const auto for_each_side = [&](const auto& visit) {
-    for_each_block(workers, mesh.triangles.size(), kItemsOfTask, [&](std::size_t first, std::size_t last) {
-      for (auto side = static_cast<std::uint32_t>(3 * first); side < 3 * last; ++side) {
-        if (const Ends of_side = ends(side); of_side.low != of_side.high) {
+    for_each_block(workers, count(), 3 * kItemsOfTask, [&](std::size_t first, std::size_t last) {
+      for (auto side = static_cast<std::uint32_t>(first); side < last; ++side) {
+        const bool divided = side < divided_.size() && divided_[side] != 0;
+        if (const Ends of_side = ends(side); !divided && of_side.low != of_side.high) {
           visit(side, std::atomic_ref<std::uint32_t>(ends_[of_side.low]));
         }
       }
@@ -125,6 +90,53 @@ MeshSides::MeshSides(const Mesh& mesh, Workers& workers)
       });
     }
   });
+}
+
+// Divides the sides that no other triangle has, but for copies of theirs, at the ends of others of these.
+void MeshSides::divide_sides(Workers& workers) {
+  std::vector<std::uint32_t> open, corners;
+  for_each_edge(0, vertex_count(), [&](std::span<const std::uint32_t> sides) {
+    const std::uint32_t corner = numbers_[opposite(sides[0])];
+    if (std::ranges::all_of(sides, [&](std::uint32_t side) { return numbers_[opposite(side)] == corner; })) {
+      const auto [low, high] = ends(sides[0]);
+      open.insert(open.end(), sides.begin(), sides.end());
+      corners.push_back(low);
+      corners.push_back(high);
+    }
+  });
+  std::ranges::sort(open);
+  std::ranges::sort(corners);
+  corners.erase(std::ranges::unique(corners).begin(), corners.end());
+  const PointTree tree(mesh_.vertices, std::move(corners));
+  const auto tolerance = double{same_place_tolerance(mesh_.vertices)};
+  std::vector<std::vector<Part>> parts(open.size() / kItemsOfTask + 1);
+  for_each_block(workers, open.size(), kItemsOfTask, [&](std::size_t first, std::size_t last) {
+    std::vector<std::pair<double, std::uint32_t>> between;
+    for (std::size_t i = first; i < last; ++i) {
+      const auto& triangle = mesh_.triangles[open[i] / 3];
+      std::uint32_t from = numbers_[triangle[open[i] % 3]];
+      const std::uint32_t to = numbers_[triangle[(open[i] + 1) % 3]];
+      tree.find_between(from, to, tolerance, between);
+      if (between.empty() || between.size() > kMostParts) {
+        continue;
+      }
+      for (const auto& [place, corner] : between) {
+        parts[first / kItemsOfTask].push_back({std::exchange(from, corner), corner, open[i]});
+      }
+      parts[first / kItemsOfTask].push_back({from, to, open[i]});
+    }
+  });
+  for (const std::vector<Part>& some : parts) {
+    parts_.insert(parts_.end(), some.begin(), some.end());
+  }
+  if (parts_.empty()) {
+    return;
+  }
+  divided_.resize(3 * mesh_.triangles.size());
+  for (const Part& part : parts_) {
+    divided_[part.side] = 1;
+  }
+  sort_sides(workers);
 }
 
 }  // namespace insonify

@@ -193,7 +193,9 @@ bool cut_thin_triangles(const Instance& instance, int index, const std::vector<T
   Cells cells;
   constexpr std::size_t kCellsPerPiece = 16;
   for (const ThinTriangle& triangle : thin) {
-    add_triangle(instance, index, triangle, slab, cells);
+    if (!triangle.copy) {
+      add_triangle(instance, index, triangle, slab, cells);
+    }
     if (cells.size() > kCellsPerPiece * (ThinParts::kMostPieces - parts.pieces.size())) {
       return false;
     }

@@ -9,6 +9,8 @@
 #include <tuple>
 #include <utility>
 
+#include "scene/same_places.h"
+
 namespace insonify {
 namespace {
 
@@ -27,26 +29,32 @@ double enclosed_volume(const Mesh& mesh) {
 
 EdgeParts::EdgeParts(const Mesh& mesh, const MeshFaces& faces, const std::vector<std::uint8_t>& taken,
                      double least_turn, Workers& workers)
-    : mesh_(mesh), sides_(mesh, workers) {
+    : mesh_(mesh), sides_(mesh, workers), tolerance_(double{same_place_tolerance(mesh.vertices)}) {
   bool closed = true;
+  std::vector<Leaf> leaves;
   sides_.for_each_edge(0, sides_.vertex_count(), [&](std::span<const std::uint32_t> sides) {
-    const bool border = sides.size() == 1, between = sides.size() == 2;
-    closed = closed && between && sides_.runs_upwards(sides[0]) != sides_.runs_upwards(sides[1]);
-    const std::uint32_t first = sides[0] / 3;
-    if (!(border || between) || taken[first] == 0) {
+    closed = closed && sides.size() == 2 && sides_.runs_upwards(sides[0]) != sides_.runs_upwards(sides[1]);
+    if (std::ranges::none_of(sides, [&](std::uint32_t side) { return taken[sides_.triangle(side)] != 0; })) {
       return;
     }
+    find_leaves(sides, leaves);
+    const bool border = leaves.size() == 1, between = leaves.size() == 2;
+    if (!(border || between) ||
+        std::ranges::any_of(leaves, [&](const Leaf& leaf) { return taken[sides_.triangle(leaf.side)] == 0; })) {
+      return;
+    }
+    const auto face_of = [&](const Leaf& leaf) { return faces.face_of[sides_.triangle(leaf.side)]; };
     const auto [low, high] = sides_.ends(sides[0]);
-    EdgePart part = {low, high, {first, EdgePart::kNoTriangle}, {faces.face_of[first], MeshFaces::kNone}};
+    EdgePart part = {low, high, {leaves[0].side, EdgePart::kNoSide}, {face_of(leaves[0]), MeshFaces::kNone}};
     if (between) {
-      part.triangle[1] = sides[1] / 3;
-      part.face[1] = faces.face_of[part.triangle[1]];
-      if (taken[part.triangle[1]] == 0 || part.face[0] == part.face[1] || !turns(part, least_turn)) {
+      part.side[1] = leaves[1].side;
+      part.face[1] = face_of(leaves[1]);
+      if (part.face[0] == part.face[1] || leaves[0].inwards.dot(leaves[1].inwards) <= -std::cos(least_turn)) {
         return;
       }
       if (part.face[0] > part.face[1]) {
         std::swap(part.face[0], part.face[1]);
-        std::swap(part.triangle[0], part.triangle[1]);
+        std::swap(part.side[0], part.side[1]);
       }
     }
     parts_.push_back(part);
@@ -56,43 +64,48 @@ EdgeParts::EdgeParts(const Mesh& mesh, const MeshFaces& faces, const std::vector
   }
 }
 
-Vec3 EdgeParts::opposite(const EdgePart& part, int side) const {
-  for (const std::uint32_t vertex : mesh_.triangles[part.triangle[side]]) {
-    if (sides_.numbers()[vertex] != part.low && sides_.numbers()[vertex] != part.high) {
-      return edge_vertex(mesh_, vertex);
+// The half-planes of the triangles at an edge; those in one direction are one. Uses the vertices off the edge rather
+// than normals, since windings may differ.
+void EdgeParts::find_leaves(std::span<const std::uint32_t> sides, std::vector<Leaf>& leaves) const {
+  constexpr double kSame = 0.999;
+  const auto [low, high] = sides_.ends(sides[0]);
+  const Vec3 start = edge_vertex(mesh_, low), along = (edge_vertex(mesh_, high) - start).normalized();
+  leaves.clear();
+  for (const std::uint32_t side : sides) {
+    if (!sides_.has_corners(sides_.triangle(side))) {
+      continue;
+    }
+    const Vec3 off = edge_vertex(mesh_, sides_.opposite(side)) - start;
+    const Vec3 inwards = (off - off.dot(along) * along).normalized();
+    if (std::ranges::none_of(leaves, [&](const Leaf& leaf) { return leaf.inwards.dot(inwards) > kSame; })) {
+      leaves.push_back({inwards, side});
     }
   }
-  return edge_vertex(mesh_, part.low);
 }
 
 Vec3 EdgeParts::direction(const EdgePart& part) const {
   return (edge_vertex(mesh_, part.high) - edge_vertex(mesh_, part.low)).normalized();
 }
 
-// Uses the vertices off the edge rather than normals, since windings may differ.
-bool EdgeParts::turns(const EdgePart& part, double least_turn) const {
-  constexpr double kFolded = 0.999;
-  const Vec3 along = direction(part);
-  const auto inwards = [&](int side) -> Vec3 {
-    const Vec3 off = opposite(part, side) - edge_vertex(mesh_, part.low);
-    return (off - off.dot(along) * along).normalized();
-  };
-  const double cosine = inwards(0).dot(inwards(1));
-  return cosine > -std::cos(least_turn) && cosine < kFolded;
-}
-
 bool EdgeParts::is_inside_corner(const EdgePart& part) const {
   if (part.is_border()) {
     return false;
   }
-  const auto& [a, b, c] = mesh_.triangles[part.triangle[0]];
+  const auto& [a, b, c] = mesh_.triangles[triangle(part, 0)];
   const Vec3 normal =
       (edge_vertex(mesh_, b) - edge_vertex(mesh_, a)).cross(edge_vertex(mesh_, c) - edge_vertex(mesh_, a));
   return normal.dot(opposite(part, 1) - edge_vertex(mesh_, part.low)) > 0;
 }
 
 std::vector<std::uint32_t> EdgeParts::chains() const {
-  constexpr double kSameDirection = 2e-3;  // Sine of the angle between two parts.
+  constexpr double kSameDirection = 2e-3;  // Sine of the angle between two parts; more where they are short.
+  const auto is_straight = [&](const EdgePart& one, const EdgePart& two) {
+    const auto length = [&](const EdgePart& part) {
+      return (edge_vertex(mesh_, part.high) - edge_vertex(mesh_, part.low)).norm();
+    };
+    const double shorter = std::min(length(one), length(two));
+    return direction(one).cross(direction(two)).norm() < std::max(kSameDirection, 2 * tolerance_ / shorter);
+  };
   std::vector<std::uint32_t> parent(parts_.size());
   std::iota(parent.begin(), parent.end(), 0U);
   const auto root = [&](std::uint32_t i) {
@@ -106,7 +119,7 @@ std::vector<std::uint32_t> EdgeParts::chains() const {
     for (const std::uint32_t end : {parts_[i].low, parts_[i].high}) {
       std::vector<std::uint32_t>& others = meeting[{parts_[i].face[0], parts_[i].face[1], end}];
       for (const std::uint32_t other : others) {
-        if (direction(parts_[i]).cross(direction(parts_[other])).norm() < kSameDirection) {
+        if (is_straight(parts_[i], parts_[other])) {
           parent[root(i)] = root(other);
         }
       }

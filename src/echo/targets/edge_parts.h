@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "echo/mirror/faces.h"
@@ -12,15 +13,15 @@
 
 namespace insonify {
 
-/// A triangle side shared by two faces of a mesh, or at the border of one.
+/// A triangle side at which two faces of a mesh meet, or one ends. Triangles that cover each other count as one.
 struct EdgePart {
-  static constexpr std::uint32_t kNoTriangle = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::uint32_t kNoSide = std::numeric_limits<std::uint32_t>::max();
 
-  std::uint32_t low, high;                ///< Ends, as numbers of welded_vertices(); the lower first.
-  std::array<std::uint32_t, 2> triangle;  ///< Triangles on both sides; the second is kNoTriangle at a border.
-  std::array<std::uint32_t, 2> face;      ///< Their MeshFaces, the lower first; the second is kNone at a border.
+  std::uint32_t low, high;            ///< Ends, as MeshSides::numbers(); the lower first.
+  std::array<std::uint32_t, 2> side;  ///< Sides of a triangle of each face; the second is kNoSide at a border.
+  std::array<std::uint32_t, 2> face;  ///< Their MeshFaces, the lower first; the second is kNone at a border.
 
-  [[nodiscard]] bool is_border() const { return triangle[1] == kNoTriangle; }
+  [[nodiscard]] bool is_border() const { return side[1] == kNoSide; }
 };
 
 /// [m], in the frame of the mesh.
@@ -43,15 +44,27 @@ class EdgeParts {
   [[nodiscard]] std::vector<std::uint32_t> chains() const;
 
   /// Vertex of the part's first or second triangle that is not on the edge [m].
-  [[nodiscard]] Vec3 opposite(const EdgePart& part, int side) const;
+  [[nodiscard]] Vec3 opposite(const EdgePart& part, int side) const {
+    return edge_vertex(mesh_, sides_.opposite(part.side[side]));
+  }
+  [[nodiscard]] std::uint32_t triangle(const EdgePart& part, int side) const {
+    return sides_.triangle(part.side[side]);
+  }
+  [[nodiscard]] double tolerance() const { return tolerance_; }  ///< Of the places of corners [m].
 
  private:
-  [[nodiscard]] bool turns(const EdgePart& part, double least_turn) const;
+  // A half-plane at an edge: the direction of a triangle from it.
+  struct Leaf {
+    Vec3 inwards;
+    std::uint32_t side;
+  };
+  void find_leaves(std::span<const std::uint32_t> sides, std::vector<Leaf>& leaves) const;
   [[nodiscard]] bool is_inside_corner(const EdgePart& part) const;
   [[nodiscard]] Vec3 direction(const EdgePart& part) const;
 
   const Mesh& mesh_;
   MeshSides sides_;
+  double tolerance_;
   std::vector<EdgePart> parts_;
 };
 

@@ -15,8 +15,8 @@
 namespace insonify {
 namespace {
 
-constexpr double kLeastShare = 1e-4;  // Least coherent or visible share that counts.
-constexpr double kGap = 2e-3;         // Largest distance of a hit on the face from its plane [m].
+constexpr double kLeastShare = 1e-4;               // Least coherent or visible share that counts.
+constexpr double kGap = GlintingFaces::kThinnest;  // Largest distance of a hit on the face from its plane [m].
 // Rays to an end of a side aim inside the face by a share of its half length, or by this much of Fresnel's argument if
 // that is less.
 constexpr double kInside = 0.01, kInsideZone = 0.1;
@@ -92,7 +92,7 @@ void FaceGlints::find(const FlatPlan& plan, const Pose& world_from_sonar, const 
                second = Vec3f(group.second_x[i], group.second_y[i], group.second_z[i]).cast<double>();
     const Vec3 from = sonar - middle;
     const Eigen::Vector2d foot(from.dot(first), from.dot(second)), half(group.first_half[i], group.second_half[i]);
-    const double distance = std::abs(from.dot(first.cross(second)));
+    const double height = from.dot(first.cross(second)), distance = std::abs(height);
     const Eigen::Vector2d end = foot.cwiseMax(-half).cwiseMin(half);
     const double to_end = std::hypot(distance, (end - foot).norm()), wavelength = double{plan.wavelength()};
     const GlintWindow window{{GlintSide::of(foot[0], half[0], end[0], to_end, wavelength),
@@ -103,7 +103,8 @@ void FaceGlints::find(const FlatPlan& plan, const Pose& world_from_sonar, const 
     const Vec3 place = middle + nearest[0] * first + nearest[1] * second;
     const double range = (sonar - place).norm();
     const Vec3f direction = (sonar_from_mesh * place).normalized().cast<float>();
-    if (!(distance > kGap) || plan.bin_of(static_cast<float>(range)) < 0 || !plan.receives(direction)) {
+    const bool behind = group.covered[i] * height > 0;  // Of a sheet whose other side is nearer.
+    if (behind || !(distance > kGap) || plan.bin_of(static_cast<float>(range)) < 0 || !plan.receives(direction)) {
       continue;
     }
     const double cosine = distance / range, share = coherent_share(plan, group.surface[i], cosine);

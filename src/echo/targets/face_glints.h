@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "echo/batch/echo_source.h"
+#include "echo/engine.h"
 #include "echo/mirror/faces.h"
 #include "echo/model/flat_plan.h"
 #include "echo/model/left_out.h"
@@ -20,6 +21,8 @@ namespace insonify {
 /// those of thin parts are left out.
 struct GlintingFaces {
   static constexpr std::size_t kMostTogether = 1024;  ///< Most glints per ping; later ones are dropped.
+  static constexpr float kLeastWidth = 1e-3F;         ///< Narrower faces, such as rims of sheets, have no glint [m].
+  static constexpr double kThinnest = 2e-3;           ///< Thinner sheets have the glint of their nearer side only [m].
 
   /// Faces of one instance as rectangles, in the frame of its mesh.
   struct Group {
@@ -29,8 +32,10 @@ struct GlintingFaces {
     std::vector<float> second_x, second_y, second_z;  ///< Unit vector along the second side.
     std::vector<float> first_half, second_half;       ///< Half lengths of the sides [m].
     std::vector<SurfaceLabel> surface;
-    std::vector<std::uint32_t> face;  ///< Index into MeshFaces::faces.
-    std::size_t first_number = 0;     ///< Index of this group's first face among the faces of all groups.
+    std::vector<std::uint32_t> face;   ///< Index into MeshFaces::faces.
+    std::vector<std::int8_t> covered;  ///< Side, +-1 along first x second, on which another surface of its instance
+                                       ///< or of the static scene is within kThinnest; 0: none. See cover_faces().
+    std::size_t first_number = 0;      ///< Index of this group's first face among the faces of all groups.
   };
   std::vector<Group> groups;                              ///< In the order of their instances.
   std::vector<std::shared_ptr<const MeshFaces>> of_mesh;  ///< [instance]; null if it has no coherent surface.
@@ -47,6 +52,10 @@ struct GlintingFaces {
 
 /// Finds the coherent faces of a scene, and marks their triangles in `left_out`.
 [[nodiscard]] GlintingFaces find_glinting_faces(const Scene& scene, LeftOut& left_out, Workers& workers);
+
+/// Sets GlintingFaces::Group::covered by rays: of the two sides of a thin sheet, the one away from the sonar is silent.
+/// @param engine  Has the scene.
+void cover_faces(const Scene& scene, Engine& engine, GlintingFaces& faces);
 
 /// Echo intensity of a plane rectangle with |R| = 1, relative to the source's at 1 m: Kirchhoff's integral in Fresnel's
 /// approximation about the point nearest to the sonar (docs/concepts/scattering.md, "Glints of plane faces").

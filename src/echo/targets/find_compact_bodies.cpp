@@ -43,7 +43,7 @@ class Connected {
 // What is known of the smooth surface with a given root.
 struct Surface {
   Eigen::AlignedBox3f box;
-  float area = 0;  // [m^2]
+  float area = 0, volume = 0;  // [m^2, m^3]; the volume is negative if the triangles are wound inwards.
   bool turned = false, has_relief = false;
   int body = -1;
 
@@ -62,17 +62,33 @@ struct Surface {
 
 }  // namespace
 
-std::vector<ThinTriangle> find_compact_bodies(const Instance& instance) {
+std::vector<ThinTriangle> find_compact_bodies(const Instance& instance, const std::vector<std::uint32_t>& first_of) {
   const Mesh& mesh = *instance.mesh;
   Connected connected(mesh);
   std::vector<Surface> surfaces(mesh.vertices.size());  // [root]
+  const auto surface_of = [&](std::uint32_t t) -> Surface& { return surfaces[connected.root(mesh.triangles[t][0])]; };
+  std::vector<std::uint8_t> repeated(first_of.size(), 0);
+  for (std::uint32_t t = 0; t < first_of.size(); ++t) {
+    if (first_of[t] != t) {
+      repeated[first_of[t]] = 1;
+    }
+  }
+  // Of the triangles that cover each other the first is the surface, but not one that is wound inwards.
+  const auto is_copy = [&](std::uint32_t t) {
+    return !first_of.empty() &&
+           (first_of[t] == t ? repeated[t] != 0 && surface_of(t).volume < 0
+                             : &surface_of(t) == &surface_of(first_of[t]) || !(surface_of(first_of[t]).volume < 0));
+  };
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& corners = mesh.triangles[t];
     const std::uint32_t root = connected.root(corners[0]);
     Surface& surface = surfaces[root];
     const Vec3f &a = mesh.vertices[corners[0]], &b = mesh.vertices[corners[1]], &c = mesh.vertices[corners[2]];
     surface.box.extend(a).extend(b).extend(c);
-    surface.area += 0.5F * (b - a).cross(c - a).norm();
+    const bool again = !first_of.empty() && first_of[t] != t && connected.root(mesh.triangles[first_of[t]][0]) == root;
+    surface.area += again ? 0 : 0.5F * (b - a).cross(c - a).norm();
+    const Vec3f& from = mesh.vertices[root];
+    surface.volume += (a - from).dot((b - from).cross(c - from)) / 6;
     surface.turned =
         surface.turned || (mesh.normals[corners[0]] - mesh.normals[root]).squaredNorm() > kTurned * kTurned;
     const std::size_t slot = mesh.slot_of(t);
@@ -81,12 +97,12 @@ std::vector<ThinTriangle> find_compact_bodies(const Instance& instance) {
   std::vector<ThinTriangle> found;
   int bodies = 0;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    Surface& surface = surfaces[connected.root(mesh.triangles[t][0])];
+    Surface& surface = surface_of(t);
     if (surface.body < 0 && surface.is_compact()) {
       surface.body = bodies++;
     }
     if (surface.body >= 0) {
-      found.push_back({t, surface.thickness(), 0, surface.body});
+      found.push_back({t, surface.thickness(), 0, surface.body, is_copy(t)});
     }
   }
   return found;

@@ -111,12 +111,15 @@ class Quarter {
     if (mirror_->triangles.size() <= kFew) {
       std::ranges::for_each(mirror_->triangles, add);
     } else {
-      tree.visit([&](const MirrorBox& box) { return meets(ray, limit, box); },
-                 [&](const MirrorTree::Item& item) {
-                   if (item.mirror == number_) {
-                     add(mirror_->triangles[item.triangle]);
-                   }
-                 });
+      tree.visit(
+          [&](const MirrorBox& box) {
+            return (box.mirror == number_ || box.mirror == MirrorBox::kSeveral) && meets(ray, limit, box);
+          },
+          [&](const MirrorTree::Item& item) {
+            if (item.mirror == number_) {
+              add(mirror_->triangles[item.triangle]);
+            }
+          });
     }
     std::ranges::sort(parts);
   }

@@ -32,6 +32,7 @@ void add_face(const Mesh& mesh, const MeshFaces& faces, std::uint32_t index, Sur
   group.second_half.push_back(face.half[1]);
   group.surface.push_back(surface);
   group.face.push_back(index);
+  group.covered.push_back(0);
 }
 
 // Adds the coherent faces of an instance to its group. Returns which of its triangles are of such faces.
@@ -48,7 +49,7 @@ LeftOut::ByTriangle<std::uint8_t> add_faces(const Scene& scene, std::size_t inde
       continue;
     }
     glinting[t] = 1;
-    if (taken[face] == 0) {
+    if (taken[face] == 0 && faces.faces[face].width() >= GlintingFaces::kLeastWidth) {
       taken[face] = 1;
       add_face(mesh, faces, face, surface_label(static_cast<std::uint16_t>(index), instance.materials[slot]), group);
     }

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
 
 #include "echo/targets/alike.h"
 #include "echo/targets/thin_parts.h"
+#include "scene/same_places.h"
 
 namespace insonify {
 namespace {
@@ -171,6 +173,28 @@ class Near {
   int directions_;
 };
 
+// Of triangles that cover each other, of whatever winding, all are thin where one is, and one has the surface.
+// @param first_of  repeated_triangles()
+void share_thickness(const std::vector<std::uint32_t>& first_of, std::vector<ThinTriangle>& thin) {
+  if (first_of.empty()) {
+    return;
+  }
+  std::map<std::uint32_t, ThinTriangle> found;  // By the first of the triangles that cover each other.
+  std::vector<std::uint8_t> known(first_of.size(), 0);
+  for (ThinTriangle& triangle : thin) {
+    const bool is_new = found.try_emplace(first_of[triangle.triangle], triangle).second;
+    triangle.copy = triangle.body >= 0 ? triangle.copy : !is_new;
+    known[triangle.triangle] = 1;
+  }
+  for (std::uint32_t t = 0; t < first_of.size(); ++t) {
+    if (const auto other = found.find(first_of[t]); known[t] == 0 && other != found.end()) {
+      thin.push_back(other->second);
+      thin.back().triangle = t;
+      thin.back().copy = true;
+    }
+  }
+}
+
 // Leaves thick round parts that are not compact to the lattice if they are an assembly of many.
 void leave_assemblies(const Instance& instance, int index, std::vector<ThinTriangle>& thin) {
   const auto is_thick = [](const ThinTriangle& triangle) {
@@ -217,7 +241,8 @@ LeftOut::ByTriangle<float> add_pieces(const Scene& scene, int index, Engine& eng
 
 std::vector<ThinTriangle> find_thin_triangles(const Scene& scene, int index, Engine& engine) {
   const Instance& instance = scene.instances[index];
-  std::vector<ThinTriangle> thin = find_compact_bodies(instance);
+  const std::vector<std::uint32_t> first_of = repeated_triangles(*instance.mesh);
+  std::vector<ThinTriangle> thin = find_compact_bodies(instance, first_of);
   const std::vector<Wall> walls = walls_of(instance, thin);
   std::erase_if(thin, [](const ThinTriangle& triangle) { return triangle.thickness >= ThinParts::kThickestRound; });
   Probe through(index, engine), across(index, engine);
@@ -247,6 +272,7 @@ std::vector<ThinTriangle> find_thin_triangles(const Scene& scene, int index, Eng
       }
     }
   }
+  share_thickness(first_of, thin);
   return thin;
 }
 

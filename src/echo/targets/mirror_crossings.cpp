@@ -33,17 +33,15 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> find_pairs(const std::vecto
   for (const MirrorTree::Item& own : some) {
     const PlaneMirror& mirror = mirrors[own.mirror];
     const Vec3 widths = mirror.normal.cwiseAbs();
+    const auto is_new = [&](std::uint32_t other) {
+      return own.mirror < other && (pairs.empty() || pairs.back() != std::pair(own.mirror, other)) &&
+             perpendicular(mirror, mirrors[other]) && touch(mirror, mirrors[other]);
+    };
     const auto meets = [&](const MirrorBox& box) {
-      return box.meets(own.box) &&
+      return (box.mirror == MirrorBox::kSeveral || is_new(box.mirror)) && box.meets(own.box) &&
              std::abs(mirror.normal.dot(box.middle()) - mirror.offset) <= box.half().dot(widths) + kCrossingReach;
     };
-    tree.visit(meets, [&](const MirrorTree::Item& other) {
-      const std::pair pair(own.mirror, other.mirror);
-      if (pair.first < pair.second && (pairs.empty() || pairs.back() != pair) &&
-          perpendicular(mirror, mirrors[other.mirror]) && touch(mirror, mirrors[other.mirror])) {
-        pairs.push_back(pair);
-      }
-    });
+    tree.visit(meets, [&](const MirrorTree::Item& other) { pairs.emplace_back(own.mirror, other.mirror); });
   }
   std::ranges::sort(pairs);
   pairs.erase(std::ranges::unique(pairs).begin(), pairs.end());

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace insonify {
 namespace {
@@ -28,6 +29,7 @@ MirrorTree::MirrorTree(std::span<const PlaneMirror> mirrors, double margin, doub
   for (std::uint32_t mirror = 0; mirror < mirrors.size(); ++mirror) {
     for (std::uint32_t i = 0; i < mirrors[mirror].triangles.size(); ++i) {
       items_.push_back({box_of(mirrors[mirror].triangles[i], margin, reach), mirror, i});
+      items_.back().box.mirror = mirror;
     }
   }
   if (!items_.empty()) {
@@ -37,11 +39,12 @@ MirrorTree::MirrorTree(std::span<const PlaneMirror> mirrors, double margin, doub
 
 void MirrorTree::divide(std::uint32_t first, std::uint32_t last) {
   const auto number = nodes_.size();
-  MirrorBox box = items_[first].box, middles = {items_[first].box.low + items_[first].box.high, {}};
+  MirrorBox box = items_[first].box, middles = {box.low + box.high, {}};
   middles.high = middles.low;
   for (std::uint32_t i = first; i < last; ++i) {
     const MirrorBox& one = items_[i].box;
-    box = {box.low.cwiseMin(one.low), box.high.cwiseMax(one.high)};
+    box = {box.low.cwiseMin(one.low), box.high.cwiseMax(one.high),
+           one.mirror == box.mirror ? one.mirror : MirrorBox::kSeveral};
     middles = {middles.low.cwiseMin(one.low + one.high), middles.high.cwiseMax(one.low + one.high)};
   }
   nodes_.push_back({box, first, last, 0});
@@ -53,7 +56,9 @@ void MirrorTree::divide(std::uint32_t first, std::uint32_t last) {
   const std::uint32_t middle = first + (last - first) / 2;
   std::nth_element(items_.begin() + first, items_.begin() + middle, items_.begin() + last,
                    [axis](const Item& a, const Item& b) {
-                     return a.box.low[axis] + a.box.high[axis] < b.box.low[axis] + b.box.high[axis];
+                     // Coincident ones by their mirrors, so that there are nodes of one mirror.
+                     return std::pair(a.box.low[axis] + a.box.high[axis], a.mirror) <
+                            std::pair(b.box.low[axis] + b.box.high[axis], b.mirror);
                    });
   divide(first, middle);
   nodes_[number].second = static_cast<std::uint32_t>(nodes_.size());

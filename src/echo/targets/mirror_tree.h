@@ -12,7 +12,10 @@ namespace insonify {
 
 /// An axis-aligned box [m].
 struct MirrorBox {
+  static constexpr std::uint32_t kSeveral = 0xffffffff;
+
   Vec3f low, high;
+  std::uint32_t mirror = kSeveral;  ///< The mirror of all that is in it.
 
   [[nodiscard]] bool meets(const MirrorBox& other) const {
     return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();

@@ -15,6 +15,7 @@ SceneTargets find_targets(const Scene& scene, const std::optional<WaterMirror>& 
   ThinParts thin = find_thin_parts(scene, probe);
   LeftOut left_out = thin.triangles ? *thin.triangles : LeftOut{};
   GlintingFaces faces = find_glinting_faces(scene, left_out, workers);
+  cover_faces(scene, probe, faces);
   SceneTargets targets;
   targets.edges = std::make_shared<const StraightEdges>(find_straight_edges(scene, faces, probe, workers));
   const bool any = thin.triangles || faces.any();

@@ -18,7 +18,8 @@ struct StraightEdges {
   static constexpr double kLeastTurn = 0.5;     ///< Smallest angle between the normals of two faces [rad].
   static constexpr double kSquareTurn = 1.3;    ///< The same for thin parts [rad].
   static constexpr double kStraight = 2.5e-4;   ///< Largest distance of an edge's vertices from its line [m].
-  static constexpr double kFree = 1e-3;         ///< Edges that something else comes this close to are left out [m].
+  static constexpr double kFree = 1e-3;  ///< Edges that something else comes this close to are left out, and the two
+                                         ///< edges of a sheet thinner than this are one [m].
   static constexpr std::size_t kNoGlint = ~0ULL;
   static constexpr std::size_t kMost = 5000;  ///< Most edges of a scene; the longest are taken.
 
@@ -36,6 +37,7 @@ struct StraightEdges {
     Vec3 middle = Vec3::Zero();      ///< In the frame of its group [m].
     Vec3 along = Vec3::UnitY();      ///< Unit vector.
     double half = 0;                 ///< Half the length [m].
+    double apart = 0;                ///< Distance of the two close edges that are joined in it, < kFree [m].
     double exterior = 2;             ///< Exterior angle over pi: n of wedge_backscatter(), in (1, 2].
     std::array<Side, 2> sides = {};  ///< The two sides of a plate at its border.
   };

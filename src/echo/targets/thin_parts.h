@@ -51,9 +51,10 @@ struct ThinParts {
 /// A triangle of a thin part, with the part's thickness and direction.
 struct ThinTriangle {
   std::uint32_t triangle;
-  float thickness;  ///< [m]
-  int along;        ///< Coordinate of the mesh frame closest to the part's axis: 0, 1 or 2.
-  int body = -1;    ///< Number of the compact body that it is of, which is one piece; -1: of none.
+  float thickness;    ///< [m]
+  int along;          ///< Coordinate of the mesh frame closest to the part's axis: 0, 1 or 2.
+  int body = -1;      ///< Number of the compact body that it is of, which is one piece; -1: of none.
+  bool copy = false;  ///< Whether it covers another one, and so has no surface of its own.
 };
 
 /// Compact bodies of an instance, and what is thin of the rest, measured by rays: from the middle of each triangle
@@ -66,8 +67,10 @@ struct ThinTriangle {
 /// Finds smooth connected surfaces without relief that are at most twice as long as they are thick, such as balls and
 /// pebbles. Their thickness is the second smallest side of their bounding box in the mesh frame; also kThickestRound or
 /// more. Cut into slabs, such a body would fall into parts with few normals each.
+/// @param first_of  repeated_triangles() of its mesh.
 /// @return By triangle, in order.
-[[nodiscard]] std::vector<ThinTriangle> find_compact_bodies(const Instance& instance);
+[[nodiscard]] std::vector<ThinTriangle> find_compact_bodies(const Instance& instance,
+                                                            const std::vector<std::uint32_t>& first_of = {});
 
 /// Cuts the thin triangles of an instance into pieces, and adds these to `parts`.
 /// @param slab  Length of a piece along coordinate ThinTriangle::along [thicknesses].
