@@ -58,6 +58,7 @@ Scenario everything() {
   sonar.beam_widths = {0.05};
   sonar.transmit_elevation_aperture = 0.3;
   sonar.focus_range = 5;
+  sonar.self_noise_db = 40;
   sonar.sampling = {8, 100};
   sonar.group_gains_db = {0, 1};
   sonar.missing_beams = {1};
