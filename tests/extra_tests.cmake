@@ -100,7 +100,8 @@ endif()
 if(INSONIFY_BUILD_APPS)
   add_test(NAME damaged_inputs
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/damaged_inputs.py $<TARGET_FILE:insonify_cli> --count 150
-            $<$<BOOL:${INSONIFY_SANITIZE}>:--unlimited>)
+            $<$<BOOL:${INSONIFY_SANITIZE}>:--unlimited>
+    COMMAND_EXPAND_LISTS)
   add_test(NAME serve_frames
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/serve_frames.py $<TARGET_FILE:insonify_cli>)
   set_tests_properties(damaged_inputs serve_frames PROPERTIES ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
