@@ -104,6 +104,11 @@ if(INSONIFY_BUILD_APPS)
     COMMAND_EXPAND_LISTS)
   add_test(NAME serve_frames
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/serve_frames.py $<TARGET_FILE:insonify_cli>)
+  if(TARGET failing_calls)
+    add_test(NAME failing_calls
+      COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/failing_calls.py $<TARGET_FILE:insonify_cli>
+              $<TARGET_FILE:failing_calls> --count 16)
+  endif()
   set_tests_properties(damaged_inputs serve_frames PROPERTIES ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
 endif()
 

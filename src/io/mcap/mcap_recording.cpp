@@ -100,14 +100,19 @@ McapRecording::McapRecording(const std::filesystem::path& path, std::vector<Mess
                                        options.log});
   McapWriter& file = state_->file;
   const MessageStream& messages = state_->messages;
-  file.add_metadata(mcap_metadata::kRun, texts_about(options.run, messages.source(0), options.messages.start_ns));
-  for (std::size_t i = 0; i < messages.sonar_count(); ++i) {
-    const MessageSource& source = messages.source(i);
-    file.add_metadata(mcap_metadata::kOfSonar + source.name, texts_about(source, messages.sonar(i)));
-    std::vector<std::uint16_t>& ids = state_->channels.emplace_back();
-    for (const MessageChannel& channel : messages.sonar(i).channels()) {
-      ids.push_back(file.add_channel(channel.topic, channel.type, channel.definition));
+  try {
+    file.add_metadata(mcap_metadata::kRun, texts_about(options.run, messages.source(0), options.messages.start_ns));
+    for (std::size_t i = 0; i < messages.sonar_count(); ++i) {
+      const MessageSource& source = messages.source(i);
+      file.add_metadata(mcap_metadata::kOfSonar + source.name, texts_about(source, messages.sonar(i)));
+      std::vector<std::uint16_t>& ids = state_->channels.emplace_back();
+      for (const MessageChannel& channel : messages.sonar(i).channels()) {
+        ids.push_back(file.add_channel(channel.topic, channel.type, channel.definition));
+      }
     }
+  } catch (...) {
+    file.discard();  // A file without all of its metadata could not be read.
+    throw;
   }
 }
 

@@ -43,9 +43,15 @@ McapWriter::McapWriter(std::filesystem::path path, const std::string& library, b
   write(start.bytes());
   if (!earlier_ && !only_whole_) {
     refuse_while_another_writes();
+    std::filesystem::path in_place = std::filesystem::absolute(path_);
     out_->put_in_place();
-    out_->sync_folder();
-    absolute_ = std::filesystem::absolute(path_);
+    absolute_.swap(in_place);
+    try {
+      out_->sync_folder();
+    } catch (...) {
+      discard();
+      throw;
+    }
   }
 }
 
@@ -53,12 +59,20 @@ McapWriter::~McapWriter() {
   if (out_ && !only_whole_) {
     try {
       finish();
-    } catch (const Error&) {  // NOLINT(bugprone-empty-catch): close() reports.
+    } catch (const std::exception&) {  // NOLINT(bugprone-empty-catch): close() reports.
     }
     if (written_.messages > 0) {
       out_->keep();
     }
   }
+}
+
+void McapWriter::discard() {
+  if (!is_beside() && is_still_there(out_->descriptor(), absolute_)) {
+    std::error_code ignored;
+    std::filesystem::remove(absolute_, ignored);
+  }
+  out_.reset();
 }
 
 void McapWriter::fail(const std::string& what) const {

@@ -57,6 +57,9 @@ class McapWriter {
   /// Writes pending messages, index and end, flushes everything to disk and renames the file to `path`.
   void close();
 
+  /// Ends writing and removes the file. For one that was not begun properly.
+  void discard();
+
   /// The file's current path.
   [[nodiscard]] const std::filesystem::path& place() const { return is_beside() ? out_->unfinished() : path_; }
 

@@ -69,7 +69,7 @@ void McapWriter::put_metadata(const std::string& name, const std::map<std::strin
 
 // If the disk is full, writes the part of the chunk that fits, and the end of the file.
 void McapWriter::write_chunk() {
-  if (chunk_index_.empty()) {
+  if (chunk_index_.empty() || ping_ends_.empty()) {  // Not a part of a ping that could not be added.
     return;
   }
   try {
