@@ -229,7 +229,8 @@ struct ReceiverConfig {
     visit(Field{"full_scale_db", "dB", from_to(-400, 400), "Recorded level of the largest count.", ActsIn::kCalibrated},
           self.full_scale_db);
     visit(Field{"full_scale_share", "", above_to(0, 1),
-                "Automatic gain: share of each ping's bins that have the largest count, instead of full_scale_db.",
+                "Automatic gain: share of each ping's bins, without the transmit leak, that have the largest count, "
+                "instead of full_scale_db.",
                 ActsIn::kCalibrated},
           self.full_scale_share);
   }

@@ -129,7 +129,8 @@ struct SonarConfig {
   std::optional<double> leak_db = {};  ///< Level of the outgoing pulse in the receiver [dB re the source's at 1 m],
                                        ///< -300..100; absent: no leak.
   double ring_down = 530e3;            ///< Decay of the transducer's ringing after the pulse [dB/s], 1e3..1e9.
-  double leak_spread_db = 0;           ///< Standard deviation of the leak's level between beams [dB], 0..20.
+  double leak_spread_db = 0;           ///< Standard deviation of the leak's level between beams, or
+                                       ///< directions of a scanning head [dB], 0..20.
   double dead_range = 0;               ///< No echo and no noise is received nearer than this [m], 0..1e5.
 
   // Channels of the receiver (docs/concepts/channels.md).

@@ -7,101 +7,17 @@
 #include <algorithm>
 #include <complex>
 #include <numbers>
-#include <random>
 
+#include "echo/edge_scene.h"
 #include "echo/targets/edge_echoes.h"
 #include "echo/targets/plane_mirrors.h"
-#include "insonify/mesh.h"
-#include "support/test_engine.h"
 
 namespace insonify::straight_edges_test {
 namespace {
 
-Workers workers(2);
+using namespace edge_scene;
 
 constexpr double kPi = std::numbers::pi;
-
-struct Body {
-  Mesh mesh;
-  Pose pose = {};
-  double rms_height = 1e-5;
-  bool moving = false;
-};
-
-Scene scene_of(std::vector<Body> bodies) {
-  Scene scene;
-  for (Body& body : bodies) {
-    Instance instance;
-    instance.name = "body";
-    instance.mesh = std::make_shared<const Mesh>(std::move(body.mesh));
-    instance.world_from_mesh = body.pose;
-    instance.moving = body.moving;
-    instance.materials.assign(instance.mesh->material_names.size(), static_cast<std::uint16_t>(scene.materials.size()));
-    Material material;
-    material.rms_height = body.rms_height;
-    scene.materials.push_back(material);
-    scene.instances.push_back(std::move(instance));
-  }
-  return scene;
-}
-
-StraightEdges edges_of(const Scene& scene, LeftOut left_out = {}) {
-  const GlintingFaces faces = find_glinting_faces(scene, left_out, workers);
-  const std::unique_ptr<TestEngine> engine = test_engine("cpu", 1);
-  engine->set_scene(scene);
-  return find_straight_edges(scene, faces, engine->engine(), workers);
-}
-
-std::vector<StraightEdges::Edge> all_edges(const Scene& scene) {
-  std::vector<StraightEdges::Edge> all;
-  for (const StraightEdges::Group& group : edges_of(scene).groups) {
-    for (StraightEdges::Edge edge : group.edges) {
-      edge.middle += group.origin;
-      all.push_back(edge);
-    }
-  }
-  return all;
-}
-
-double total_length(const std::vector<StraightEdges::Edge>& edges) {
-  double sum = 0;
-  for (const StraightEdges::Edge& edge : edges) {
-    sum += 2 * edge.half;
-  }
-  return sum;
-}
-
-// Two triangles with a normal of their own.
-void add_rectangle(Mesh& mesh, const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& d) {
-  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-  for (const Vec3f& corner : {a, b, c, d}) {
-    mesh.vertices.push_back(corner);
-    mesh.normals.emplace_back((b - a).cross(c - a).normalized());
-  }
-  mesh.triangles.push_back({first, first + 1, first + 2});
-  mesh.triangles.push_back({first, first + 2, first + 3});
-}
-
-Mesh tessellated_box(const Vec3f& size, int steps) {
-  Mesh mesh;
-  const auto at = [&](int axis, int side, int i, int j) {
-    Vec3f place;
-    const auto count = static_cast<float>(steps);
-    place[axis] = static_cast<float>(side) * size[axis];
-    place[(axis + 1) % 3] = static_cast<float>(i) / count * size[(axis + 1) % 3];
-    place[(axis + 2) % 3] = static_cast<float>(j) / count * size[(axis + 2) % 3];
-    return Vec3f(place - 0.5F * size);
-  };
-  for (int axis = 0; axis < 3; ++axis) {
-    for (int i = 0; i < steps; ++i) {
-      for (int j = 0; j < steps; ++j) {
-        add_rectangle(mesh, at(axis, 1, i, j), at(axis, 1, i + 1, j), at(axis, 1, i + 1, j + 1), at(axis, 1, i, j + 1));
-        add_rectangle(mesh, at(axis, 0, i, j), at(axis, 0, i, j + 1), at(axis, 0, i + 1, j + 1), at(axis, 0, i + 1, j));
-      }
-    }
-  }
-  return mesh;
-}
 
 // An L with sides of 0.2 m, 0.05 m thick and 1 m long, closed. The two outer sides are of two pieces each.
 Mesh l_profile() {
@@ -259,124 +175,6 @@ TEST(StraightEdgesTest, GroupsAreInFramesOfTheirOwn) {
     EXPECT_NEAR(outwards.normalized().dot(inside.normalized()), 1, 1e-6);
     EXPECT_EQ(edges.groups[0].first_y[i], static_cast<float>(edge.sides[0].normal.y()));
   }
-}
-
-// A side along which the next face has other corners is one edge, not two borders.
-TEST(StraightEdgesTest, UnequalTrianglesMakeNoBorders) {
-  Mesh mesh;
-  add_rectangle(mesh, {0, 0, 0}, {0.4F, 0, 0}, {0.4F, 0.3F, 0}, {0, 0.3F, 0});
-  add_rectangle(mesh, {0, 0, 0}, {0, 0.12F, 0}, {0, 0.12F, 0.4F}, {0, 0, 0.4F});
-  add_rectangle(mesh, {0, 0.12F, 0}, {0, 0.3F, 0}, {0, 0.3F, 0.4F}, {0, 0.12F, 0.4F});
-  const auto edges = all_edges(scene_of({{mesh}}));
-  ASSERT_EQ(edges.size(), 7U);
-  const auto bend = std::ranges::min_element(edges, {}, &StraightEdges::Edge::exterior);
-  EXPECT_NEAR(bend->exterior, 1.5, 1e-6);
-  EXPECT_NEAR(2 * bend->half, 0.3, 1e-6);
-}
-
-// Corners moved by less than `by` along each axis.
-Mesh moved(Mesh mesh, float by) {
-  std::mt19937 random(3);
-  for (Vec3f& vertex : mesh.vertices) {
-    for (float& x : vertex) {
-      x += by * (static_cast<float>(random() % 2001) / 1000 - 1);
-    }
-  }
-  return mesh;
-}
-
-Mesh with_copies(Mesh mesh, bool turned) {
-  for (std::size_t i = 0, count = mesh.triangles.size(); i < count; ++i) {
-    const auto [a, b, c] = mesh.triangles[i];
-    mesh.triangles.push_back({a, turned ? c : b, turned ? b : c});
-  }
-  return mesh;
-}
-
-// A box whose faces are cut in strips, each axis into others, so that corners lie on the sides of their neighbours.
-Mesh striped_box(const Vec3f& size) {
-  Mesh mesh;
-  for (int axis = 0; axis < 3; ++axis) {
-    const int strips = 2 + axis, along = (axis + 1) % 3, across = (axis + 2) % 3;
-    for (const int side : {0, 1}) {
-      for (int i = 0; i < strips; ++i) {
-        const auto at = [&](int step, int end) {
-          Vec3f place;
-          place[axis] = static_cast<float>(side) * size[axis];
-          place[along] = static_cast<float>(step) / static_cast<float>(strips) * size[along];
-          place[across] = static_cast<float>(end) * size[across];
-          return Vec3f(place - 0.5F * size);
-        };
-        side == 1 ? add_rectangle(mesh, at(i, 0), at(i + 1, 0), at(i + 1, 1), at(i, 1))
-                  : add_rectangle(mesh, at(i, 0), at(i, 1), at(i + 1, 1), at(i + 1, 0));
-      }
-    }
-  }
-  return mesh;
-}
-
-// The same box, however its mesh is cut, and 1 km from the origin of its mesh, where floats are 6e-5 m apart.
-TEST(StraightEdgesTest, ABoxHasTwelveHoweverItIsCut) {
-  const Vec3f size(0.7F, 0.4F, 0.2F);
-  const Mesh plain = tessellated_box(size, 1), striped = striped_box(size), fine = tessellated_box(size, 3);
-  Mesh far = moved(striped, 1e-6F);
-  for (Vec3f& vertex : far.vertices) {
-    vertex += Vec3f(700, -600, 400);
-  }
-  for (const Mesh& mesh : {with_copies(plain, false), with_copies(plain, true), moved(plain, 1e-6F), striped,
-                           moved(striped, 1e-5F), with_copies(moved(fine, 2e-6F), true), far}) {
-    const auto edges = all_edges(scene_of({{mesh}}));
-    ASSERT_EQ(edges.size(), 12U);
-    EXPECT_NEAR(total_length(edges), 4 * (0.7 + 0.4 + 0.2), 1e-3);
-    for (const StraightEdges::Edge& edge : edges) {
-      EXPECT_NEAR(edge.exterior, 1.5, 1e-3);
-      EXPECT_NE(edge.sides[0].face, edge.sides[1].face);
-    }
-  }
-}
-
-// A sheet is a plate with four borders, whether both of its sides are faces in one place, a box, or two faces without
-// a rim; from 1 mm on it is a box. The normal of each side of an edge is that of the face that it names.
-TEST(StraightEdgesTest, SheetsHaveTheBordersOfOnePlate) {
-  Mesh sides = make_plane(Vec3::UnitZ(), 0.5, 0.3);
-  sides = with_copies(sides, true);
-  for (const float thickness : {1e-5F, 1e-4F, 5e-4F, 9e-4F}) {
-    Mesh open;
-    const float z = 0.5F * thickness;
-    add_rectangle(open, {0, 0, z}, {0.5F, 0, z}, {0.5F, 0.3F, z}, {0, 0.3F, z});
-    add_rectangle(open, {0, 0, -z}, {0, 0.3F, -z}, {0.5F, 0.3F, -z}, {0.5F, 0, -z});
-    for (const Mesh& mesh : {sides, open, make_box({0.5, 0.3, double{thickness}})}) {
-      const auto edges = all_edges(scene_of({{mesh}}));
-      ASSERT_EQ(edges.size(), 4U) << thickness;
-      EXPECT_NEAR(total_length(edges), 1.6, 4e-3);
-      for (const StraightEdges::Edge& edge : edges) {
-        EXPECT_EQ(edge.exterior, 2);
-        EXPECT_NEAR(std::abs(edge.sides[0].normal.z()), 1, 1e-5);
-        EXPECT_NE(edge.sides[0].face, StraightEdges::kNoGlint);
-        EXPECT_NE(edge.sides[1].face, StraightEdges::kNoGlint);
-      }
-    }
-  }
-  EXPECT_EQ(all_edges(scene_of({{make_box({0.5, 0.3, 1.1e-3})}})).size(), 8U);  // Those of the rim are too short.
-}
-
-// The four edges of a square post whose long edges have a chamfer of 0.5 mm are those of the post.
-TEST(StraightEdgesTest, NarrowChamfersAreOneEdge) {
-  Mesh post;
-  constexpr float kHalf = 0.1F, kCut = 3.5e-4F;
-  std::vector<Vec3f> outline;
-  for (const auto& [x, y] : {std::pair(1.F, 1.F), {-1.F, 1.F}, {-1.F, -1.F}, {1.F, -1.F}}) {
-    const Vec3f one(x * kHalf, y * (kHalf - kCut), 0), two(x * (kHalf - kCut), y * kHalf, 0);
-    outline.push_back(x * y > 0 ? one : two);
-    outline.push_back(x * y > 0 ? two : one);
-  }
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Vec3f &a = outline[i], &b = outline[(i + 1) % outline.size()];
-    add_rectangle(post, a, b, b + Vec3f::UnitZ(), a + Vec3f::UnitZ());
-  }
-  const auto edges = all_edges(scene_of({{post}}));
-  EXPECT_EQ(std::ranges::count_if(edges, [](const auto& edge) { return std::abs(edge.exterior - 1.5) < 1e-4; }), 4);
-  EXPECT_EQ(std::ranges::count_if(edges, [](const auto& edge) { return edge.exterior < 1.9; }), 4);
 }
 
 // The sum of e^(2ikr)/r^2 over steps of an eighth of a wavelength.

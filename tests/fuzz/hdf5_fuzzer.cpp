@@ -20,7 +20,7 @@ void take(fuzz::Bytes bytes) {
   static const fuzz::InputFile file;
   static const std::string whole = [] {
     const std::filesystem::path path = file.folder() / "whole.h5";
-    fuzz::record_ping([&](const Scenario& scenario, const Scene& scene, const SonarConfig& sonar, const Ping& ping) {
+    record_ping([&](const Scenario& scenario, const Scene& scene, const SonarConfig& sonar, const Ping& ping) {
       Recording(path, scenario, scene, sonar).add(ping);
     });
     fuzz::read_recording(path);

@@ -49,7 +49,7 @@ void take(fuzz::Bytes bytes) {
   static const fuzz::InputFile file;
   static const std::filesystem::path whole = file.folder() / "whole.mcap";
   static const bool made = [] {
-    fuzz::record_ping([&](const Scenario& scenario, const Scene& scene, const SonarConfig& sonar, const Ping& ping) {
+    record_ping([&](const Scenario& scenario, const Scene& scene, const SonarConfig& sonar, const Ping& ping) {
       McapOptions options{.run = run_facts(scenario, scene)};
       options.messages.fan_rate = 0;
       McapRecording(whole, {message_source(scenario, sonar)}, options).add(0, ping);

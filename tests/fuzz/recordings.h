@@ -4,38 +4,15 @@
 
 #include <fstream>
 #include <iterator>
-#include <memory>
 
 #include "fuzz/fuzzer.h"
 #include "insonify/files.h"
 #include "insonify/mcap_recording.h"
-#include "insonify/mesh.h"
 #include "insonify/recorded_pings.h"
 #include "insonify/recording_info.h"
+#include "support/small_recording.h"
 
 namespace insonify::fuzz {
-
-/// A ping of 3 bins x 4 beams of a sonar at a sphere, written by `write(scenario, scene, sonar, ping)`.
-template <typename Write>
-void record_ping(const Write& write) {
-  Scenario scenario;
-  scenario.text = "world: nothing.sdf\n";
-  SonarConfig sonar;
-  sonar.name = "ahead";
-  sonar.bin_count = 3;
-  sonar.beam_count = 4;
-  Scene scene;
-  scene.instances.push_back({.name = "wreck::hull", .mesh = std::make_shared<const Mesh>(make_sphere(1))});
-  assign_materials(scene, {});
-  Ping ping;
-  ping.bin_count = 3;
-  ping.beam_count = 4;
-  ping.intensity.assign(12, 0.25F);
-  ping.instance.assign(12, 0);
-  ping.material.assign(12, 0);
-  ping.elevation.assign(12, 0.5F);
-  write(scenario, scene, sonar, ping);
-}
 
 /// Reads all that commands read.
 inline void read_recording(const std::filesystem::path& path) {

@@ -68,6 +68,18 @@ TEST_F(OddWorldTest, AnglesLikelyInRadiansAreTold) {
               IsEmpty());
 }
 
+TEST_F(OddWorldTest, OnlyTheFirstWaypointIsLikelyInRadians) {
+  folder.write("bed.obj", kBed);
+  const std::string start = "world: bed.obj\nsonars: [{position: [0, 0, 5]}]\ntrajectory:\n";
+  EXPECT_THAT(
+      said(start + "  - {time: 0, orientation_deg: [0, 0, 0]}\n  - {time: 1, orientation_deg: [0.6, -0.3, 0.8]}\n"),
+      IsEmpty());
+  EXPECT_THAT(
+      said(start + "  - {time: 0, orientation_deg: [0, 0.26, 1.3]}\n  - {time: 1, orientation_deg: [0, 0.26, 1.4]}\n"),
+      ElementsAre("a.yaml:4:15: trajectory[0].orientation_deg has angles of at most 1.3 degrees; as radians 1.3 "
+                  "would be 74.5 degrees"));
+}
+
 TEST_F(OddWorldTest, AQuaternionWithItsScalarLastIsTold) {
   folder.write("bed.obj", kBed);
   EXPECT_THAT(
@@ -94,6 +106,19 @@ TEST_F(OddWorldTest, AMotionOfOneWaypointIsTold) {
       said("world: bed.obj\nsonars: [{position: [0, 0, 5]}]\nmotions:\n  - object: bed\n    trajectory: [{position: "
            "[0, 0, 1]}]\n"),
       ElementsAre("a.yaml:4:5: motions[0]: a trajectory of one waypoint does not move bed"));
+}
+
+TEST_F(OddWorldTest, NothingIsToldOfTheShippedScenarios) {
+  std::vector<std::string> lines;
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(INSONIFY_SOURCE_DIR "/scenes")) {
+    if (entry.path().extension() == ".yaml") {
+      (void)load_scenario(entry.path(), {}, [&](Severity, const std::string& line) { lines.push_back(line); });
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 10);
+  EXPECT_THAT(lines, IsEmpty());
 }
 
 }  // namespace

@@ -133,7 +133,8 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
               "Decay rate of the transducer's ringing after the pulse (leak_db).", ActsIn::kCalibrated},
         self.ring_down);
   visit(Field{"leak_spread_db", "dB", from_to(0, 20),
-              "Standard deviation of the leak's level between beams, drawn from the seed (leak_db).",
+              "Standard deviation of the leak's level between beams, or directions of a scanning head, drawn from the "
+              "seed (leak_db).",
               ActsIn::kCalibrated},
         self.leak_spread_db);
   visit(Field{"dead_range", "m", from_to(0, 1e5),

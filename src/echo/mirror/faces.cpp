@@ -45,7 +45,7 @@ Vec3f area_vector(const Mesh& mesh, std::size_t triangle) {
 // The outline of a face.
 struct Outline {
   MeshSides::Ends longest = {kNone, kNone};  // Ends of its longest side; of equal ones, the first.
-  float length = 0;                          // Of that side [m].
+  float length = 0;                          // Length of that side [m].
   float around = 0, layers = 0;              // Length of all sides [m], also as often as its triangles have them.
 
   void add(const Mesh& mesh, const MeshSides::Ends& ends, std::size_t times) {

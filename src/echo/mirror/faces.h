@@ -22,7 +22,7 @@ struct Face {
   std::array<float, 2> middle = {};  ///< Coordinates of the rectangle's middle along the axes [m].
   std::array<float, 2> half = {};    ///< Half lengths [m].
 
-  [[nodiscard]] float width() const { return 2 * std::min(half[0], half[1]); }  ///< Of its shorter sides [m].
+  [[nodiscard]] float width() const { return 2 * std::min(half[0], half[1]); }  ///< Length of its shorter sides [m].
 };
 
 /// The faces of a mesh.

@@ -106,7 +106,7 @@ class Look {
 
   const Scene& scene_;
   Engine& engine_;
-  double rounding_;  // Of differences of hits [m].
+  double rounding_;  // Largest error of the difference of two hits [m].
   std::vector<Ray> rays_;
   std::vector<Hit> hits_;
 };

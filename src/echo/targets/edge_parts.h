@@ -50,7 +50,7 @@ class EdgeParts {
   [[nodiscard]] std::uint32_t triangle(const EdgePart& part, int side) const {
     return sides_.triangle(part.side[side]);
   }
-  [[nodiscard]] double tolerance() const { return tolerance_; }  ///< Of the places of corners [m].
+  [[nodiscard]] double tolerance() const { return tolerance_; }  ///< Distance below which corners are one [m].
 
  private:
   // A half-plane at an edge: the direction of a triangle from it.

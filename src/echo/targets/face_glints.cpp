@@ -103,7 +103,7 @@ void FaceGlints::find(const FlatPlan& plan, const Pose& world_from_sonar, const 
     const Vec3 place = middle + nearest[0] * first + nearest[1] * second;
     const double range = (sonar - place).norm();
     const Vec3f direction = (sonar_from_mesh * place).normalized().cast<float>();
-    const bool behind = group.covered[i] * height > 0;  // Of a sheet whose other side is nearer.
+    const bool behind = group.covered[i] * height > 0;  // The nearer side of the sheet glints instead.
     if (behind || !(distance > kGap) || plan.bin_of(static_cast<float>(range)) < 0 || !plan.receives(direction)) {
       continue;
     }

@@ -73,7 +73,7 @@ std::vector<ThinTriangle> find_compact_bodies(const Instance& instance, const st
       repeated[first_of[t]] = 1;
     }
   }
-  // Of the triangles that cover each other the first is the surface, but not one that is wound inwards.
+  // The surface is the first of the triangles that cover each other, but not one that is wound inwards.
   const auto is_copy = [&](std::uint32_t t) {
     return !first_of.empty() &&
            (first_of[t] == t ? repeated[t] != 0 && surface_of(t).volume < 0

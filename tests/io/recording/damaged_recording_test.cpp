@@ -11,12 +11,12 @@
 #include <random>
 
 #include "insonify/files.h"
-#include "insonify/mesh.h"
 #include "insonify/recorded_pings.h"
 #include "insonify/recording_info.h"
 #include "insonify/stored_tables.h"
 #include "support/message_of.h"
 #include "support/sanitized.h"
+#include "support/small_recording.h"
 #include "support/working_folder.h"
 
 namespace insonify::damaged_recording_test {
@@ -32,26 +32,9 @@ class DamagedRecordingTest : public testing::Test {
   ~DamagedRecordingTest() override { unsetenv("INSONIFY_LIMITS"); }
   DamagedRecordingTest() {
     setenv("INSONIFY_LIMITS", "memory=1e9", 1);  // Some damage makes HDF5 clear all that a reader may have.
-    Scenario scenario;
-    scenario.text = "world: nothing.sdf\n";
-    SonarConfig sonar;
-    sonar.name = "ahead";
-    sonar.bin_count = 3;
-    sonar.beam_count = 4;
-    Scene scene;
-    scene.instances.push_back({.name = "wreck::hull", .mesh = std::make_shared<const Mesh>(make_sphere(1))});
-    assign_materials(scene, {});
-    {
-      Recording recording("a.h5", scenario, scene, sonar);
-      Ping ping;
-      ping.bin_count = 3;
-      ping.beam_count = 4;
-      ping.intensity.assign(12, 0.25F);
-      ping.instance.assign(12, 0);
-      ping.material.assign(12, 0);
-      ping.elevation.assign(12, 0.5F);
-      recording.add(ping);
-    }
+    record_ping([](const Scenario& scenario, const Scene& scene, const SonarConfig& sonar, const Ping& ping) {
+      Recording("a.h5", scenario, scene, sonar).add(ping);
+    });
     std::ifstream file("a.h5", std::ios::binary);
     bytes.assign(std::istreambuf_iterator<char>(file), {});
   }
