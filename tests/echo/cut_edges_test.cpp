@@ -131,5 +131,35 @@ TEST(CutEdgesTest, NarrowChamfersAreOneEdge) {
   EXPECT_EQ(std::ranges::count_if(edges, [](const auto& edge) { return edge.exterior < 1.9; }), 4);
 }
 
+// A step of 0.5 mm in a plane has no edges: each half has its other three borders.
+TEST(CutEdgesTest, LowStepsInAPlaneHaveNone) {
+  Mesh step;
+  constexpr float kHigh = 5e-4F;
+  add_rectangle(step, {0, 0, 0}, {0.4F, 0, 0}, {0.4F, 0.3F, 0}, {0, 0.3F, 0});
+  add_rectangle(step, {0.4F, 0, 0}, {0.4F, 0, kHigh}, {0.4F, 0.3F, kHigh}, {0.4F, 0.3F, 0});
+  add_rectangle(step, {0.4F, 0, kHigh}, {0.8F, 0, kHigh}, {0.8F, 0.3F, kHigh}, {0.4F, 0.3F, kHigh});
+  const auto edges = all_edges(scene_of({{step}}));
+  EXPECT_EQ(edges.size(), 6U);
+  EXPECT_NEAR(total_length(edges), 4 * 0.4 + 2 * 0.3, 1e-5);
+}
+
+// Each large face of a sheet is covered on the side on which the other lies, so that the nearer one glints.
+TEST(CutEdgesTest, FacesOfASheetAreCoveredFromBehind) {
+  const Scene scene = scene_of({{make_box({0.5, 0.3, 9e-4})}});
+  LeftOut left_out;
+  GlintingFaces faces = find_glinting_faces(scene, left_out, workers);
+  const std::unique_ptr<TestEngine> engine = test_engine("cpu", 1);
+  engine->set_scene(scene);
+  cover_faces(scene, engine->engine(), faces);
+  ASSERT_EQ(faces.groups.size(), 1U);
+  const GlintingFaces::Group& group = faces.groups[0];
+  ASSERT_EQ(group.face.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const float normal = group.first_x[i] * group.second_y[i] - group.first_y[i] * group.second_x[i];
+    ASSERT_NEAR(std::abs(normal), 1, 1e-5);
+    EXPECT_LT(static_cast<float>(group.covered[i]) * normal * group.middle_z[i], 0);
+  }
+}
+
 }  // namespace
 }  // namespace insonify::cut_edges_test

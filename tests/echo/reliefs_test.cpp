@@ -88,6 +88,21 @@ TEST(ReliefAtTest, ReadsThePictureWhereTheTextureSays) {
   EXPECT_NEAR(relief_at(relief, mesh, 1, {-0.5F, 0.5F, 0}, Vec3f::UnitZ()).reflectivity, 0.25F, kFloat);
 }
 
+// Between the middles of texels values are bilinear, also across the border of the tile: as Tile::at().
+TEST(ReliefAtTest, ReadsBetweenTexels) {
+  Relief relief;
+  relief.reflectivity = {3, 4, {0.1F, 0.9F, 0.4F, 0.7F, 0.2F, 0.6F, 0.3F, 1.0F, 0.5F, 0.8F, 0.0F, 0.35F}};
+  const Mesh mesh = rectangle({Vec2f(0, 0), {1, 0}, {1, 1}, {0, 1}});
+  for (float x = -1.95F; x < 2; x += 0.37F) {
+    for (float y = -0.95F; y < 1; y += 0.21F) {
+      const auto triangle = static_cast<std::uint32_t>(y * 2 > x ? 1 : 0);
+      EXPECT_NEAR(relief_at(relief, mesh, triangle, {x, y, 0}, Vec3f::UnitZ()).reflectivity,
+                  relief.reflectivity.at((x + 2) / 4, (y + 1) / 2), kFloat)
+          << x << " " << y;
+    }
+  }
+}
+
 TEST(ReliefAtTest, MapsByPositionWithoutTextureCoordinates) {
   Mesh mesh = make_plane(Vec3::UnitZ(), 4, 2);
   Relief relief;

@@ -236,6 +236,19 @@ TEST(StraightEdgesTest, AlikeInstancesHaveThoseOfTheFirst) {
   }
 }
 
+// Of two boxes of one mesh the second has relief on three sides, which do not glint.
+TEST(StraightEdgesTest, InstancesThatDifferInReliefAreNotAlike) {
+  Mesh box = make_box({1, 2, 3});
+  box.material_names = {"smooth", "rippled"};
+  box.material_slots = {0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1};
+  Scene scene = scene_of({{box}, {box, {.position = {5, 0, 0}}}});
+  scene.instances[1].mesh = scene.instances[0].mesh;
+  scene.instances[1].materials = scene.instances[0].materials;
+  scene.instances[1].reliefs = {nullptr, std::make_shared<const Relief>()};
+  LeftOut left_out;
+  EXPECT_EQ(find_glinting_faces(scene, left_out, workers).count(), 6U + 3U);
+}
+
 TEST(EdgeIntegralTest, IsTheSumAlongTheEdge) {
   struct Case {
     double foot, half, distance;

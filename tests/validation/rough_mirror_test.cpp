@@ -80,7 +80,7 @@ TEST_P(RoughMirrorTest, SpreadsTheImageInProportionToItsSlopes) {
       // Opposite ways interfere where both facets are in one cell, here a beam of half a degree: for two independent
       // Gaussian bearings, with this probability on average.
       const double in_one_cell = 0.5 * kDegree / (2 * std::sqrt(std::numbers::pi) * reflected * slope);
-      EXPECT_NEAR(rough.both_ways / smooth.both_ways, 1 + in_one_cell, 0.05) << slope << ", " << height;
+      EXPECT_NEAR(rough.both_ways / smooth.both_ways, 1 + in_one_cell, 0.017) << slope << ", " << height;
     }
   }
 }

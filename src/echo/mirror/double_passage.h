@@ -29,7 +29,7 @@ struct RoughPath {
 /// second surface's image: 1 + (1 - C^2) P. Seen from the sonar it is spread by 2 s across/(range + across) in the
 /// plane of incidence, and by that times cos(theta) across it: multipath.md, "Rough mirrors". A second surface with a
 /// lobe of its own prefers facets on opposite sides, which is not considered.
-/// @param column  Of the lattice, towards `out`.
+/// @param column  Lattice column in the direction `out`.
 inline float double_passage(const FlatPlan& plan, int column, const RoughPath& path) {
   if (!(path.over.variance > 0)) {
     return 1;
