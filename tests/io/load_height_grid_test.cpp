@@ -245,8 +245,9 @@ TEST(LoadAscGridTest, AGridWithoutDataIsToldWithItsFile) {
 TEST(LoadHeightGridErrorTest, TellsWhatIsNoHeightGrid) {
   const ScratchFolder folder;
   const std::filesystem::path path = folder.write("seabed.grd", "x");
-  EXPECT_EQ(message_of([&] { (void)load_height_grid(path); }),
-            path.string() + ": \".grd\" is not a known extension of a height grid; known: .png, .asc, .bag, .tif, .tiff");
+  EXPECT_EQ(
+      message_of([&] { (void)load_height_grid(path); }),
+      path.string() + ": \".grd\" is not a known extension of a height grid; known: .png, .asc, .bag, .tif, .tiff");
   EXPECT_EQ(message_of([&] { (void)load_height_grid("/nowhere/seabed.bag"); }), "/nowhere/seabed.bag: no such file");
 }
 
