@@ -115,7 +115,7 @@ def follow_with_ping360(address, seconds, start):
 def follow_emulated(path, insonify, instrument, seconds):
     """Distances measured and true, length of a bin, pings lost, and the report of `insonify emulate`."""
     own = f"127.{os.getpid() // 250 % 250 + 1}.{os.getpid() % 250 + 1}.200"
-    words = ["--address", own] if instrument == "oculus" else ["--port", "0"]
+    words = ["--address", own] if instrument == "oculus" else ["--port", "0", "--fast"]
     with subprocess.Popen([insonify, "emulate", instrument, "follow.yaml", *words], cwd=path, text=True,
                           stdout=subprocess.PIPE) as program:
         line = program.stdout.readline()

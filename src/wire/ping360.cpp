@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <string>
 
 #include "insonify/field.h"
@@ -72,6 +73,11 @@ std::string wrong_length(const PingFrame& frame, std::size_t bytes) {
 
 }  // namespace
 
+double ping360_turn_time(int from, int to) {
+  const int turned = std::abs(to - from);
+  return kPing360StepTime * std::min(turned, kGradiansPerTurn - turned);
+}
+
 std::uint16_t Ping360Sector::angle_at(std::uint64_t ping) const {
   const int width = (stop_angle - start_angle + kGradiansPerTurn) % kGradiansPerTurn;
   if (width + step >= kGradiansPerTurn) {
@@ -81,8 +87,9 @@ std::uint16_t Ping360Sector::angle_at(std::uint64_t ping) const {
   if (steps == 0) {
     return start_angle;
   }
-  const std::uint64_t phase = ping % (2 * steps);
-  return static_cast<std::uint16_t>((start_angle + std::min(phase, 2 * steps - phase) * step) % kGradiansPerTurn);
+  const std::uint64_t phase = ping % (width > kGradiansPerTurn / 2 ? steps + 1 : 2 * steps);
+  const std::uint64_t taken = phase > steps ? 2 * steps - phase : phase;
+  return static_cast<std::uint16_t>((start_angle + taken * step) % kGradiansPerTurn);
 }
 
 PingFrame Ping360::frame(std::uint16_t id, std::vector<std::uint8_t> payload) const {

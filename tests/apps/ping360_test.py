@@ -41,8 +41,9 @@ NOISE = ("--set", "receiver.ambient_noise_db=76")  # Fills samples with values b
 class Instrument(Emulated):
     """insonify emulate ping360 in a folder of its own, and a socket that talks with it."""
 
-    def __init__(self, *options, scenario=SCENARIO):
-        super().__init__("ping360", "scan.yaml", "--port", "0", *options, files={"scan.yaml": scenario})
+    def __init__(self, *options, scenario=SCENARIO, fast=True):
+        super().__init__("ping360", "scan.yaml", "--port", "0", *(["--fast"] if fast else []), *options,
+                         files={"scan.yaml": scenario})
         line = self.process.stdout.readline()
         if not line:
             raise AssertionError(self.process.communicate()[1])
@@ -142,6 +143,19 @@ class Ping360Test(unittest.TestCase):
         start = time.monotonic()
         sonar.ask(transducer(0, period=8000, count=1200))
         self.assertGreater(time.monotonic() - start, 1200 * 8000 * 25e-9)  # 0.24 s
+
+    def test_the_head_takes_its_time_to_turn(self):
+        sonar = self.instrument(fast=False)
+        # 6.2 ms a gradian, the shorter way, and 18.2 ms to read out: docs/how-to/instruments.md.
+        for command, least in ((transducer(30), 0.2042), (transducer(30), 0.0182), (transducer(390, transmit=0), 0.248)):
+            start = time.monotonic()
+            self.assertEqual(sonar.ask(command)[0], DATA)
+            self.assertGreater(time.monotonic() - start, least)
+        # A scan begins with the way to its start: from 390 to 10 are 20 gradians, then 5 between pings.
+        start = time.monotonic()
+        sonar.send(auto_transmit(10, 30, 5))
+        self.assertEqual([sonar.receive()[0] for _ in range(3)], [AUTO_DATA] * 3)
+        self.assertGreater(time.monotonic() - start, (20 + 5 + 5) * 0.0062 + 3 * 0.0182)
 
     def test_a_scan_sweeps_its_sector_until_the_motor_is_off(self):
         sonar = self.instrument()

@@ -98,6 +98,8 @@ void add_emulate(const Command& program) {
   const Command ping360 = emulate.add("ping360", "Blue Robotics Ping360: the ping protocol over UDP");
   EmulateOptions& ping360_options = add_instrument(ping360, 9092, emulate_ping360);
   ping360.flag("--pty", &ping360_options.serial, "Open a serial line too (a pseudo terminal), and print its path");
+  ping360.flag("--fast", &ping360_options.fast,
+               "Turn the head and read samples out in no time, so that a ping takes as long as its sound travels");
   ping360.footer(
       "Its range, frequency, gain, pulse and head are as its commands say; the rest is the scenario's. Ctrl-C ends "
       "it;\n"

@@ -16,6 +16,7 @@ struct EmulateOptions {
   int port = 0;                       ///< 0: any free port.
   double silence = 30;                ///< Longest time for which a client may send nothing [s] (oculus).
   bool serial = false;                ///< Whether to serve a pseudo terminal too (ping360).
+  bool fast = false;                  ///< Whether the head turns and samples are read out in no time (ping360).
   int threads = 0;                    ///< 0: one per processor.
   std::vector<std::string> settings;  ///< "key=value", in order.
   bool quiet = false;                 ///< Print only addresses, warnings and errors.

@@ -2,6 +2,8 @@
 
 #include "emulate/ping360_server.h"
 
+#include <algorithm>
+
 #include "console/console.h"
 #include "console/outcome.h"
 #include "emulate/listening.h"
@@ -15,13 +17,13 @@ namespace {
 
 constexpr std::size_t kLongestDatagram = 2048;  // Longer ones are cut and refused: commands have at most 24 bytes.
 
-// Message ids of the commands that ping.
-constexpr std::uint16_t kAutoTransmit = 2602;
+// Message ids.
+constexpr std::uint16_t kNack = 2, kTransducer = 2601, kAutoTransmit = 2602;
 
 }  // namespace
 
 Ping360Server::Ping360Server(const EmulateOptions& options, EmulatedSonar& sonar)
-    : sonar_(sonar), socket_(loop_.context()), datagram_(kLongestDatagram) {
+    : sonar_(sonar), socket_(loop_.context()), fast_(options.fast), datagram_(kLongestDatagram) {
   const Udp::endpoint endpoint(address_of(options), static_cast<std::uint16_t>(options.port));
   error_code failure;
   socket_.open(endpoint.protocol(), failure);
@@ -91,25 +93,24 @@ void Ping360Server::receive_bytes(std::span<const std::uint8_t> bytes) {
 }
 
 void Ping360Server::work() {
-  while (!pinging_ && !commands_.empty()) {
+  while (!busy_ && !commands_.empty()) {
     const Command command = std::move(commands_.front());
     commands_.pop_front();
     act(command);
   }
-  if (!pinging_) {
+  if (!busy_) {
     receive();
   }
 }
 
+void Ping360Server::become_free() {
+  busy_ = false;
+  work();
+}
+
 void Ping360Server::act(const Command& command) {
   const Ping360 before = instrument_;
-  const Ping360Answer answer = instrument_.take(command.event);
-  for (const PingFrame& frame : answer.frames) {
-    if (frame.id == 2) {
-      report_.note_refusal();
-    }
-    send(frame, command.client);
-  }
+  Ping360Answer answer = instrument_.take(command.event);
   if (answer.scan_changed) {
     ++scan_number_;
     scan_timer_.cancel();
@@ -120,44 +121,92 @@ void Ping360Server::act(const Command& command) {
   }
   if (answer.transmit) {
     transmit_once(command, before);
+  } else if (!answer.frames.empty()) {
+    answer_after_turn(command, std::move(answer.frames));
   }
+}
+
+// Turns the head to where the settings have it.
+// @param start  When it begins to turn. @return  When it is there.
+WallClock::time_point Ping360Server::turned_at(WallClock::time_point start) {
+  const int from = std::exchange(head_, instrument_.settings().angle);
+  return due_ = start + wall_clock_duration(fast_ ? 0 : ping360_turn_time(from, head_));
+}
+
+// Counts from when the ping was due, so that a late event does not delay those that follow; but no message comes before
+// its echoes could.
+WallClock::time_point Ping360Server::read_out_at(const Received& received) {
+  const WallClock::duration listening = wall_clock_duration(instrument_.settings().listening_time());
+  due_ += listening + wall_clock_duration(fast_ ? 0 : kPing360ReadoutTime);
+  return due_ = std::max(due_, received.transmitted + listening);
+}
+
+// A transducer message that does not transmit is answered when the head is there, everything else at once.
+void Ping360Server::answer_after_turn(const Command& command, std::vector<PingFrame> frames) {
+  const auto answer = [this, client = command.client, frames = std::move(frames)] {
+    for (const PingFrame& frame : frames) {
+      if (frame.id == kNack) {
+        report_.note_refusal();
+      }
+      send(frame, client);
+    }
+  };
+  const WallClock::time_point now = WallClock::now();
+  const WallClock::time_point then = command.event.frame.id == kTransducer ? turned_at(now) : now;
+  if (then == now) {
+    answer();
+    return;
+  }
+  busy_ = true;
+  ping_timer_.expires_at(then);
+  ping_timer_.async_wait([this, answer](error_code) {
+    answer();
+    become_free();
+  });
 }
 
 void Ping360Server::transmit_once(const Command& command, const Ping360& before) {
-  try {
-    const Received received = make_ping();
-    pinging_ = true;
-    ping_timer_.expires_at(received.transmitted + wall_clock_duration(instrument_.settings().listening_time()));
-    ping_timer_.async_wait([this, received, client = command.client](error_code) {
-      send_ping(received, client);
-      pinging_ = false;
-      work();
-    });
-  } catch (const Interrupted&) {
-    throw;  // The end of the program, not a wrong setting: run() catches it.
-  } catch (const Error& error) {
-    instrument_ = before;
-    refuse(command.event.frame.id, error, command.client);
-  }
+  busy_ = true;
+  ping_timer_.expires_at(turned_at(WallClock::now()));
+  ping_timer_.async_wait([this, command, before](error_code) {
+    try {
+      const Received received = make_ping();
+      ping_timer_.expires_at(read_out_at(received));
+      ping_timer_.async_wait([this, received, client = command.client](error_code) {
+        send_ping(received, client);
+        become_free();
+      });
+    } catch (const Interrupted&) {
+      throw;  // The end of the program, not a wrong setting: run() catches it.
+    } catch (const Error& error) {
+      instrument_ = before;
+      refuse(command.event.frame.id, error, command.client);
+      become_free();
+    }
+  });
 }
 
-// Makes ping `ping` of a scan, sends it when its echoes have arrived, and continues after the delay.
+// Turns the head to ping `ping` of a scan, then makes it.
 void Ping360Server::scan(std::uint64_t ping) {
   instrument_.turn_to(ping);
+  scan_timer_.expires_at(turned_at(ping == 0 ? WallClock::now() : due_));
+  scan_timer_.async_wait([this, ping, scan = scan_number_](error_code) {
+    if (scan == scan_number_) {
+      scan_after_turn(ping);
+    }
+  });
+}
+
+// Makes a ping of a scan and sends it when its samples have been read out.
+void Ping360Server::scan_after_turn(std::uint64_t ping) {
   try {
     const Received received = make_ping();
-    scan_timer_.expires_at(received.transmitted + wall_clock_duration(instrument_.settings().listening_time()));
+    scan_timer_.expires_at(read_out_at(received));
     scan_timer_.async_wait([this, received, ping, scan = scan_number_](error_code) {
-      if (scan != scan_number_) {
-        return;
+      if (scan == scan_number_) {
+        send_ping(received, scan_client_);
+        scan_on(ping + 1);
       }
-      send_ping(received, scan_client_);
-      scan_timer_.expires_after(std::chrono::milliseconds(instrument_.sector()->delay));
-      scan_timer_.async_wait([this, ping, scan](error_code) {
-        if (scan == scan_number_) {
-          this->scan(ping + 1);
-        }
-      });
     });
   } catch (const Interrupted&) {
     throw;  // The end of the program, not a wrong setting: run() catches it.
@@ -165,6 +214,17 @@ void Ping360Server::scan(std::uint64_t ping) {
     instrument_.stop();
     refuse(kAutoTransmit, error, scan_client_);
   }
+}
+
+// Continues a scan after its delay.
+void Ping360Server::scan_on(std::uint64_t ping) {
+  due_ += std::chrono::milliseconds(instrument_.sector()->delay);
+  scan_timer_.expires_at(due_);
+  scan_timer_.async_wait([this, ping, scan = scan_number_](error_code) {
+    if (scan == scan_number_) {
+      this->scan(ping);
+    }
+  });
 }
 
 void Ping360Server::apply_settings() {

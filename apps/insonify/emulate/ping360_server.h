@@ -51,8 +51,14 @@ class Ping360Server {
   void receive_bytes(std::span<const std::uint8_t> bytes);
   void work();
   void act(const Command& command);
+  void answer_after_turn(const Command& command, std::vector<PingFrame> frames);
   void transmit_once(const Command& command, const Ping360& before);
   void scan(std::uint64_t ping);
+  void scan_after_turn(std::uint64_t ping);
+  void scan_on(std::uint64_t ping);
+  void become_free();
+  [[nodiscard]] WallClock::time_point turned_at(WallClock::time_point start);
+  [[nodiscard]] WallClock::time_point read_out_at(const Received& received);
   Received make_ping();
   void apply_settings();
   void send_ping(const Received& received, const Client& client);
@@ -64,9 +70,12 @@ class Ping360Server {
   EmulatedSonar& sonar_;
   Udp::socket socket_;
   std::unique_ptr<SerialLine> serial_;
+  bool fast_;
   boost::asio::steady_timer ping_timer_{loop_.context()}, scan_timer_{loop_.context()};
 
   Ping360 instrument_;
+  int head_ = 0;                            // Where the head stands, or turns to [gradians].
+  WallClock::time_point due_;               // When the last event is due: the end of a turn, a message.
   std::optional<Ping360Settings> applied_;  // Settings of the simulated sonar.
   std::optional<SonarConfig> config_;       // The simulated sonar; none if all samples are blank.
   MessageLevels levels_;
@@ -78,7 +87,7 @@ class Ping360Server {
   Udp::endpoint sender_;
   PingParser serial_parser_;
   std::deque<Command> commands_;  // Received commands; no more are read before they are done.
-  bool receiving_datagram_ = false, receiving_bytes_ = false, pinging_ = false, warned_ = false;
+  bool receiving_datagram_ = false, receiving_bytes_ = false, busy_ = false, warned_ = false;
 };
 
 }  // namespace insonify

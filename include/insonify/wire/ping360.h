@@ -15,6 +15,16 @@ namespace insonify {
 /// Steps of a turn of the head [gradians].
 inline constexpr int kGradiansPerTurn = 400;
 
+/// Times of the instrument, beside those of the sound, from turns that were timed over Ethernet
+/// (discuss.bluerobotics.com, thread 8328): 400 pings 1 gradian apart take 10.74 s at 2 m and 20.57 s at 20 m, 40 pings
+/// 10 gradians apart 3.29 s at 2 m. How they are shared out within a ping is our assumption.
+inline constexpr double kPing360StepTime = 6.2e-3;      ///< For the head to turn by 1 gradian [s].
+inline constexpr double kPing360ReadoutTime = 18.2e-3;  ///< From the end of a ping's last sample to its message [s].
+
+/// Time for the head to turn from one angle to another, the shorter way [s].
+/// @param from, to  [gradians], 0..399.
+[[nodiscard]] double ping360_turn_time(int from, int to);
+
 /// Settings of a Ping360. Initial values are those of the instrument when it is switched on, as far as drivers
 /// show them.
 struct Ping360Settings {
@@ -40,7 +50,8 @@ struct Ping360Sector {
   std::uint8_t delay = 0;         ///< Between pings [ms], 0..100.
 
   /// The angle of ping n of a scan [gradians]. Where start and stop are neighbours across less than a step, the head
-  /// keeps turning; else it sweeps to and fro, and turns back at the last whole step inside the sector.
+  /// keeps turning. Another sector of more than half a turn is swept one way, from start to its last whole step, again
+  /// and again; a smaller one to and fro.
   [[nodiscard]] std::uint16_t angle_at(std::uint64_t ping) const;
 };
 
