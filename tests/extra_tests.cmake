@@ -191,6 +191,10 @@ if(INSONIFY_BUILD_APPS)
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/node/run.py ${node_folder} foxglove_test.mjs
             $<TARGET_FILE:insonify_cli>)
   set_tests_properties(foxglove_client PROPERTIES FIXTURES_REQUIRED node_packages SKIP_RETURN_CODE 77 TIMEOUT 120)
+  # What the viewer's page computes, without a browser.
+  add_test(NAME viewer_logic
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/node/run.py ${node_folder} web/logic_test.mjs)
+  set_tests_properties(viewer_logic PROPERTIES FIXTURES_REQUIRED node_packages SKIP_RETURN_CODE 77)
   # The viewer in a headless browser: its page against a stand-in for the server, and with `insonify serve`.
   if(NOT INSONIFY_SANITIZE)
     add_test(NAME viewer_page

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Installs the npm packages of the tests, and copies the tests beside them: install.py FOLDER. Exit status 77 where there
+"""Installs the npm packages of the tests, and copies the tests and the viewer's page beside them: install.py FOLDER. Exit status 77 where there
 is no node, npm or registry."""
 
 import pathlib
@@ -26,6 +26,8 @@ def main():
         target.mkdir(exist_ok=True)
         for file in [*source.glob("*.mjs"), *source.glob("*.yaml")]:
             shutil.copy(file, target)
+    shutil.rmtree(folder / "page", ignore_errors=True)
+    shutil.copytree(HERE.parents[1] / "web", folder / "page")
     if done.exists() and done.read_bytes() == lock:
         return 0
     done.unlink(missing_ok=True)

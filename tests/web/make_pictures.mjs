@@ -75,11 +75,11 @@ async function makePngs() {
   await pointAt(view, 29, 0.12);
   await keep(view, "dark");
   await view.page.evaluate(() => document.getElementById("tab-sonar").click());
-  await view.set({ overlay: "instance" });
+  await view.set({ overlay: "instance", controls: true });
   await view.next();
   await pointAt(view, 29, 0.12);
   await keep(view, "objects");
-  await view.set({ overlay: "none", mode: "polar", map: "copper" });
+  await view.set({ overlay: "none", mode: "polar", map: "copper", controls: false });
   await keep(view, "polar");
   await view.page.evaluate(() => document.getElementById("tab-scene").click());
   await view.set({ mode: "fan", map: "inferno", main: "scene" });

@@ -38,11 +38,9 @@ async function serverPauses(on) {
 }
 
 /** Where a range and an azimuth to port [rad] lie in the window. */
-const placeOf = (range, azimuth) => page.evaluate(async (r, a) => {
-  const { makePlan } = await import("./js/draw/plan.js");
+const placeOf = (range, azimuth) => page.evaluate((r, a) => {
   const box = document.getElementById("picture-stage").getBoundingClientRect();
-  const plan = makePlan(insonify.store.get("sonar"), insonify.store.get("mode"), box.width, box.height, { factor: 1, x: 0, y: 0 });
-  const [x, y] = plan.place(r, a);
+  const [x, y] = insonify.picture.plan.place(r, a);
   return [box.left + x, box.top + y];
 }, range, azimuth);
 
@@ -62,7 +60,10 @@ async function recover() {
   await page.evaluate(() => localStorage.clear());
   await page.reload();
   await ping();
+  await openControls();
 }
+
+const openControls = () => page.evaluate(() => insonify.store.set({ controls: true }));
 
 if (process.argv[2]) await recover();  // Without the first check, which opens the page.
 
@@ -87,6 +88,28 @@ const failed = await runChecks({
       return colours.size;
     });
     assert.ok(shades > 4, `only ${shades} shades in the picture`);
+  },
+
+  async "the fan fills two thirds of the window; small views and controls fold, and full screen hides all else"() {
+    const share = () => page.evaluate(() => {
+      const { plan } = insonify.picture;
+      const sonar = insonify.store.get("sonar");
+      const [left] = plan.place(sonar.max_range, sonar.ports[0]);
+      const [right, apex] = [plan.place(sonar.max_range, sonar.starboards.at(-1))[0], plan.toScreen(0, 0)[1]];
+      return ((right - left) * (apex - plan.place(sonar.max_range, 0)[1])) / innerWidth / innerHeight;
+    });
+    const shown = (id) => page.$eval(`#${id}`, (node) => node.offsetParent !== null);
+    assert.ok((await share()) > 0.66, `${await share()} of the window`);
+    assert.deepEqual([await shown("controls"), await shown("view-scene")], [false, true]);
+    await page.keyboard.press("i");
+    assert.equal(await shown("view-scene"), false);
+    await page.keyboard.press("f");
+    await until(async () => (await share()) > 0.8, "a fan as large as the screen");
+    assert.deepEqual([await shown("controls"), await shown("pause"), await shown("leave")], [false, false, true]);
+    await press("leave");
+    await page.keyboard.press("i");
+    await page.keyboard.press("c");
+    assert.deepEqual([await shown("controls"), await shown("pause"), await shown("view-scene")], [true, true, true]);
   },
 
   // The point is at (12, -3, 0), the sonar at the origin looks along x: sqrt(153) = 12.369 m, atan(3 / 12) = 14.04 degrees to
@@ -199,36 +222,6 @@ const failed = await runChecks({
     await press("save");
     await told("save");
     await until(async () => /^Saved mock_live\.yaml/.test(await text("note")), "the note of what was saved");
-  },
-
-  async "rates count over the time there is, and not before half a second of it"() {
-    const seen = await page.evaluate(async () => {
-      const { Rates } = await import("./js/rates.js");
-      // Four pings that had waited at once, then 37 a second; time passes at 0.8 of the clock, which the server's stamps say.
-      const fast = new Rates();
-      const found = { fast: [], slow: [] };
-      const pings = [0, 0, 0, 0];
-      for (let i = 1; i < 37 * 6; ++i) pings.push((1000 * i) / 37);
-      let next = 0;
-      for (const now of [400, 499, 1000, 3000, 5000]) {
-        for (; next < pings.length && pings[next] <= now; ++next) fast.add(pings[next], { time: (0.8 * (next - 3)) / 37, change: 1, made_at: 1.7e9 + (next - 3) / 37 });
-        found.fast.push([fast.pingsPerSecond(now), fast.timeFactor(now)]);
-      }
-      fast.add(5001, { time: 0, change: 2, made_at: 1.7e9 + 5.1 });
-      found.restarted = fast.timeFactor(5002);
-      const slow = new Rates();
-      for (const now of [0, 5000, 10_000]) {
-        slow.add(now, { time: now / 500, change: 1 });
-        found.slow.push([slow.pingsPerSecond(now), slow.timeFactor(now)]);
-      }
-      found.stopped = [slow.pingsPerSecond(40_000), slow.timeFactor(40_000)];
-      return found;
-    });
-    const rounded = seen.fast.map(([rate, pace]) => [rate && Math.round(rate), pace && Math.round(pace * 100) / 100]);
-    assert.deepEqual(rounded, [[null, null], [null, 0.8], [37, 0.8], [37, 0.8], [37, 0.8]]);
-    assert.equal(seen.restarted, null);
-    assert.deepEqual(seen.slow, [[null, null], [0.2, 2], [0.2, 2]]);
-    assert.deepEqual(seen.stopped, [0, null]);
   },
 
   async "the page tells pings a second and the part of real time, and neither while it is paused"() {
@@ -404,38 +397,6 @@ const failed = await runChecks({
     assert.deepEqual(ages, [0, 0.5, 1, 1.5, 2, 2.5]);
   },
 
-  async "a smaller view is drawn once a second at least, and at once when it has something to show"() {
-    const seen = await page.evaluate(async () => {
-      const { Frames } = await import("./js/frames.js");
-      // Frames of a clock that is moved by hand, `length` milliseconds each; every frame asks for both drawings again.
-      const drawings = (length, empty = 0) => {
-        let now = 5000;
-        let pending = null;
-        const times = [];
-        const frames = new Frames({ now: () => now, next: (callback) => (pending = callback) });
-        const large = frames.add(() => {});
-        const small = frames.add(() => {
-          times.push(now);
-          return times.length > empty;
-        }, () => 1000);
-        for (let i = 0; i < 60; ++i) {
-          large();
-          small();
-          now += length;
-          pending();
-        }
-        return times;
-      };
-      const longest = (times) => Math.max(...times.slice(1).map((time, i) => time - times[i]));
-      return { quick: longest(drawings(16)), slow: [60, 150, 300, 700, 990, 1500].map((length) => longest(drawings(length))), empty: drawings(300, 3).slice(0, 4) };
-    });
-    assert.equal(seen.quick, 16);
-    seen.slow.slice(0, 5).forEach((gap) => assert.ok(gap <= 1000, `${gap} ms between drawings`));
-    assert.ok(seen.slow[2] > 500, "frames of 0.3 s leave most drawings out");
-    assert.equal(seen.slow[5], 1500, "every frame");
-    assert.deepEqual(seen.empty, [5300, 5600, 5900, 6200]);
-  },
-
   async "the waterfall begins with the ping that is shown"() {
     await until(() => get("shown"), "a ping");
     await until(() => page.evaluate(() => Boolean(insonify.waterfall)), "the waterfall");
@@ -570,34 +531,6 @@ const failed = await runChecks({
     server.say(server.hello());
   },
 
-  async "labels of the picture do not lie on each other"() {
-    const written = (beams, aperture, mode) => page.evaluate(async (count, degrees, way) => {
-      const [{ drawGraticule }, { makePlan }, { describeSonar }] = await Promise.all(["draw/graticule", "draw/plan", "sonar"].map((name) => import(`./js/${name}.js`)));
-      const azimuths = Array.from({ length: count }, (_, i) => degrees / 2 - ((i + 0.5) * degrees) / count);
-      const sonar = describeSonar({ type: "fls", product: "image", beams: count, bins: 100, min_range: 0.2, max_range: 15, azimuths, azimuth_aperture: degrees });
-      const context = document.createElement("canvas").getContext("2d");
-      const labels = [];
-      context.fillText = (label, x, y) => {
-        if (!label.includes("°")) return;
-        const width = context.measureText(label).width;
-        const left = x - { left: 0, center: width / 2, right: width }[context.textAlign];
-        labels.push({ label, left, right: left + width, y });
-      };
-      drawGraticule(context, makePlan(sonar, way, 900, 600, { factor: 1, x: 0, y: 0 }), { grid: true, headAngle: 0 });
-      return labels;
-    }, beams, aperture, mode);
-    for (const [beams, aperture, mode] of [[1, 1, "fan"], [32, 3, "fan"], [32, 7.5, "fan"], [64, 16, "polar"], [128, 120, "fan"]]) {
-      const labels = await written(beams, aperture, mode);
-      for (const [i, one] of labels.entries()) {
-        const other = labels.slice(i + 1).find((each) => Math.abs(each.y - one.y) < 12 && each.left < one.right && one.left < each.right);
-        assert.equal(other, undefined, `${aperture} deg, ${mode}: ${one.label} on ${other?.label}`);
-      }
-    }
-    assert.deepEqual((await written(1, 1, "fan")).map(({ label }) => label), ["0°"]);
-    const wide = (await written(128, 120, "fan")).map(({ label }) => label).sort();
-    assert.deepEqual(wide, ["60° port", "60° stbd", "0°", ..."10 10 30 30 50 50".split(" ").map((each) => `${each}°`)].sort());
-  },
-
   async "of a scanning head the overlay colours the round picture, and no beam can be chosen"() {
     await press("tab-display");
     assert.equal(await page.$eval("#beam-field", (node) => node.offsetParent !== null), true);
@@ -707,29 +640,6 @@ const failed = await runChecks({
     await until(async () => (await get("mode")) === "fan", "the fan");
   },
 
-  async "bearings of a vertical head are slopes"() {
-    const said = await page.evaluate(async () => {
-      const { bearing } = await import("./js/format.js");
-      return [0, 0.001, 90, -90, -45.04, 134.96, 180, -179.99, 270, 30].map((angle) => bearing((angle * Math.PI) / 180, true));
-    });
-    assert.deepEqual(said, ["front", "front", "up", "down", "45.0° down", "45.0° up, back", "back", "back", "down", "30.0° up"]);
-  },
-
-  async "beams of a scanning head leave no column between them, whatever the step"() {
-    const gaps = await page.evaluate(async () => {
-      const { RoundPicture } = await import("./js/draw/round.js");
-      const found = [];
-      for (const step of [0.45, 0.9, 1.8, 3.7, -2.3]) {
-        const round = new RoundPicture();
-        round.clear({ step, ports: [0.02], starboards: [-0.02] });
-        for (let i = 0; i < 370 / Math.abs(step); ++i) round.add({ headAngle: ((0.3 + i * step) * Math.PI) / 180 });
-        found.push(round.order.filter((order) => order < 0).length);
-      }
-      return found;
-    });
-    assert.deepEqual(gaps, [0, 0, 0, 0, 0]);
-  },
-
   async "help opens with ? and closes with Escape"() {
     await page.evaluate(() => document.activeElement.blur());
     await page.keyboard.type("?");
@@ -819,15 +729,15 @@ const failed = await runChecks({
       assert.ok(left <= 8 && right >= 382, `from ${left} to ${right}`);
       assert.ok(i === 0 || top >= boxes[i - 1].bottom, "one below the other");
     });
-    await press("drawer");
     await until(() => page.$eval("#controls", (node) => {
       const { left, right, top } = node.getBoundingClientRect();
       return left >= 0 && right <= innerWidth && top >= document.getElementById("drawer").getBoundingClientRect().bottom;
     }), "controls that leave the button free which closes them");
     await press("drawer");
-    await until(() => page.$eval("#controls", (node) => getComputedStyle(node).visibility === "hidden"), "no controls");
+    await until(() => page.$eval("#controls", (node) => node.offsetParent === null), "no controls");
     assert.ok(boxes[0].height > 250 && (await page.$eval("#views", (node) => node.scrollHeight > node.clientHeight)), "the rest is scrolled to");
     await resize(1280, 720);
+    await openControls();
   },
 
   async "the pose shows yaw, pitch and roll whole, also far from the origin"() {
@@ -860,27 +770,6 @@ const failed = await runChecks({
     assert.equal(await overlap("frozen", "picture-caption"), false);
     await press("enlarge-picture");
     await press("freeze");
-  },
-
-  async "a fan has its sides and right ahead written on it"() {
-    const written = await page.evaluate(async () => {
-      const { drawGraticule } = await import("./js/draw/graticule.js");
-      const { makePlan } = await import("./js/draw/plan.js");
-      const textsOf = (sonar, mode) => {
-        const texts = [];
-        const context = new Proxy({ fillText: (text, x) => texts.push([text, x]), measureText: () => ({ width: 30 }) }, { get: (real, name) => real[name] ?? (() => {}), set: () => true });
-        drawGraticule(context, makePlan(sonar, mode, 800, 500, { factor: 1, x: 0, y: 0 }), { grid: true, headAngle: 0 });
-        return texts;
-      };
-      const { sonar } = { sonar: insonify.store.get("sonar") };
-      return { fan: textsOf(sonar, "fan"), polar: textsOf(sonar, "polar"), round: textsOf(sonar, "round") };
-    });
-    for (const mode of ["fan", "polar"]) {
-      const at = new Map(written[mode]);
-      const [port, ahead, starboard] = ["60\u00b0 port", "0\u00b0", "60\u00b0 stbd"].map((text) => at.get(text));
-      assert.ok(port < ahead && ahead < starboard, `${mode}: ${port}, ${ahead}, ${starboard}`);
-    }
-    for (const text of ["90\u00b0 port", "90\u00b0 stbd", "0\u00b0", "180\u00b0"]) assert.ok(written.round.some(([each]) => each === text), text);
   },
 
   async "louder levels of a first turn are followed, unless the contrast was set by hand"() {

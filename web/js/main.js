@@ -33,10 +33,15 @@ window.addEventListener("unhandledrejection", (event) => notes.error(String(even
 setUpLayout(store);
 const roundPings = () => picture.round.pings;
 const chooseObject = (object) => store.set({ object });
-const picture = new PictureView(store, frames, (cursor) => {
-  const { instance } = lookUp(store, cursor, roundPings());
+// Labels come with the ping after the first cursor: a click before then waits for them.
+let clicked = null;
+const chooseUnder = (cursor) => {
+  const { instance, labelled } = lookUp(store, cursor, roundPings());
   if (instance >= 0) chooseObject(instance);
-});
+  clicked = labelled || !store.get("truth") ? null : cursor;
+};
+const picture = new PictureView(store, frames, chooseUnder);
+store.on(["shown"], () => clicked && chooseUnder(clicked));
 let scene = null;
 let waterfall = null;
 // The sonar picture comes first: the shaders of the others take time.
@@ -87,7 +92,10 @@ setUpKeyboard(flight, [
   ["+", "Faster", () => changeSpeed(store, request, 1)],
   ["-", "Slower", () => changeSpeed(store, request, -1)],
   ["t", "Follow the trajectory", press("follow")],
-  ["f", "Freeze the picture", press("freeze")],
+  ["h", "Hold the picture", press("freeze")],
+  ["f", "Full screen", press("full")],
+  ["i", "Small views", press("side")],
+  ["c", "Controls", press("drawer")],
   ["r", "Record", press("record")],
   ["y", "Save the scenario", press("save")],
   ["p", "Screenshot", press("shot")],

@@ -30,7 +30,7 @@ export class Store {
   }
 }
 
-const kKept = ["map", "grid", "smooth", "truth", "theme", "showEchoes", "showFan", "showSector", "showPaths"];
+const kKept = ["map", "grid", "smooth", "truth", "theme", "side", "controls", "showEchoes", "showFan", "showSector", "showPaths"];
 
 /** The page's store, with what the browser kept of the last visit. */
 export function makeStore() {
@@ -48,6 +48,9 @@ export function makeStore() {
     frozen: false,
     mode: "fan",        // fan, polar or round
     main: "picture",    // the large view
+    side: true,         // whether the small views are there
+    controls: false,    // whether the controls are
+    full: false,        // whether the large view has the whole screen
     low: -120,          // level of the darkest colour [dB]
     high: -40,          // level of the brightest colour [dB]
     gain: 0,            // gain of the display [dB]

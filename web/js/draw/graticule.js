@@ -5,6 +5,8 @@ import { number, ringSpacing, slope, ticks } from "../format.js";
 import { degrees, radians, wrapped } from "../geometry.js";
 
 const kFont = "11px system-ui, sans-serif";
+const kWide = 28;    // that of an angle [pixels]
+const kBeside = 58;  // room for a label beside the fan [pixels]
 
 /** Draws all lines of `plan`; `options` = { grid, cursor, beam, headAngle }. */
 export function drawGraticule(context, plan, options) {
@@ -79,12 +81,16 @@ function radialLabel(plan, azimuth, isEdge = false) {
   const [x, y] = plan.place(plan.sonar.max_range * 1.0, azimuth);
   const angle = plan.sonar.up - azimuth;
   const withSide = isEdge || (plan.mode === "round" && Math.abs(Math.abs(azimuth) - Math.PI / 2) < 1e-6);
+  const isBeside = x > kBeside && x < plan.width - kBeside;
+  if (isEdge && !isBeside) {  // Below the corner.
+    return { isEdge, text: radialText(plan.sonar, azimuth, true), align: azimuth > 0 ? "left" : "right", baseline: "top", x, y: y + 5 };
+  }
   return {
     isEdge,
     text: radialText(plan.sonar, azimuth, withSide),
     align: Math.sin(angle) > 0.2 ? "left" : Math.sin(angle) < -0.2 ? "right" : "center",
     baseline: Math.cos(angle) < -0.5 ? "top" : "bottom",
-    x: x + 5 * Math.sin(angle),
+    x: x > 0 && x < plan.width ? Math.min(Math.max(x + 5 * Math.sin(angle), kWide), plan.width - kWide) : x,
     y: y - (azimuth === 0 && plan.mode === "fan" ? 6 : 4) * Math.cos(angle),
   };
 }
@@ -127,15 +133,16 @@ function labelRing(context, plan, range, azimuth) {
   if (x < -20 || y < 0 || x > plan.width || y > plan.height) return;
   const text = `${number(range, Number.isInteger(range) ? 0 : 1)} m`;
   const wide = context.measureText(text).width;
-  if (plan.mode === "round" || x < wide + 8) {
+  if (plan.mode === "round" || (isSmall(plan) && x < wide + 8)) {
     writeInside(context, text, plan.mode === "round" ? x - wide - 3 : x + 4, plan.mode === "round" ? y + 9 : y - 2);
     return;
   }
-  context.textAlign = "right";
+  const isLast = range > 0.97 * plan.sonar.max_range;  // The edge's own label is there.
+  const isBeside = x > kBeside || !isLast;
+  context.textAlign = isBeside ? "right" : "left";
   context.textBaseline = "middle";
   context.fillStyle = themeColour("--soft");
-  const below = range > 0.97 * plan.sonar.max_range ? 14 : 3;  // The edge's own label is there.
-  context.fillText(text, x - 6, y + below);
+  context.fillText(text, isBeside ? x - 6 : x, y + (isLast ? (isBeside ? 14 : 25) : 3));
 }
 
 // Over the picture, with an outline; its lower left corner is at x, y.

@@ -6,12 +6,32 @@
 import { wrapped } from "../geometry.js";
 import { beamAt, binAt, slotAt } from "../sonar.js";
 
-const kMargin = { top: 32, side: 54, bottom: 26 };
+const kMargins = {
+  fan: { top: 24, side: 8, bottom: 6 },
+  polar: { top: 32, side: 54, bottom: 26 },
+  round: { top: 32, side: 54, bottom: 26 },
+};
 const kSmall = { top: 26, side: 10, bottom: 10 };
+// What lies over the lower corners of the large picture: figures on the left, colour bar on the right [CSS pixels].
+const kCorners = { left: 330, right: 302, height: 104 };
 
-/** What the picture shows: mode, size on the screen in CSS pixels, and zoom = { factor, x, y }, x and y parts of the size. */
+const kHome = { factor: 1, x: 0, y: 0 };
+
+/** What the picture shows: mode, size on the screen in CSS pixels, and zoom = { factor, x, y }, x and y parts of the size. A
+ * large picture that would reach into its lower corners, where figures stand, ends above them. */
 export function makePlan(sonar, mode, width, height, zoom) {
-  const margin = width < 420 ? kSmall : kMargin;
+  if (width < 420) return planWithin(sonar, mode, width, height, zoom, kSmall);
+  const margin = kMargins[mode];
+  // The edges of a wide fan are nearly level: their labels stand below them.
+  const bottom = mode === "fan" && Math.max(sonar.ports[0], -sonar.starboards.at(-1)) > 1.2 ? 26 : margin.bottom;
+  const free = { ...margin, bottom };
+  const whole = planWithin(sonar, mode, width, height, kHome, free);
+  const top = height - kCorners.height;
+  const covered = [[kCorners.left, top], [width - kCorners.right, height - 56]].some(([x, y]) => whole.holds(x, y));
+  return planWithin(sonar, mode, width, height, zoom, covered ? { ...free, bottom: bottom + kCorners.height } : free);
+}
+
+function planWithin(sonar, mode, width, height, zoom, margin) {
   const bounds = boundsOf(sonar, mode);
   const free = { width: Math.max(10, width - 2 * margin.side), height: Math.max(10, height - margin.top - margin.bottom) };
   const span = { x: bounds.right - bounds.left, y: bounds.top - bounds.bottom };
@@ -28,6 +48,7 @@ export function makePlan(sonar, mode, width, height, zoom) {
     toScreen: (x, y) => [left + (x - middle.x) * perX, top - (y - middle.y) * perY],
     toPlane: (x, y) => [middle.x + (x - left) / perX, middle.y - (y - top) / perY],
     place: (range, azimuth) => plan.toScreen(...planePoint(sonar, mode, range, azimuth)),
+    holds: (x, y) => underPoint(plan, x, y) !== null,
   };
   const [x0, y0] = plan.toPlane(0, height);
   const [x1, y1] = plan.toPlane(width, 0);

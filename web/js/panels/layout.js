@@ -12,6 +12,7 @@ export function setUpLayout(store) {
     byId(`view-${name}`).append(button);
   }
   store.on(["main"], () => place(store.get("main")));
+  setUpFolds(store);
   setUpTheme(store);
 }
 
@@ -20,6 +21,29 @@ function place(main) {
   const order = ["scene", "ascan", "waterfall"].map((name) => (name === main ? "picture" : name));
   byId(`view-${main}`).dataset.place = "main";
   order.forEach((name, i) => (byId(`view-${name}`).dataset.place = ["one", "two", "three"][i]));
+}
+
+// Small views and controls fold; full screen hides all but the large view.
+function setUpFolds(store) {
+  byId("side").addEventListener("click", () => store.set({ side: !store.get("side") }));
+  byId("drawer").addEventListener("click", () => store.set({ controls: !store.get("controls") }));
+  for (const id of ["full", "leave"]) byId(id).addEventListener("click", () => store.set({ full: !store.get("full") }));
+  store.on(["side"], () => {
+    document.body.dataset.side = store.get("side") ? "on" : "off";
+    byId("side").setAttribute("aria-pressed", String(store.get("side")));
+  });
+  store.on(["controls"], () => {
+    byId("controls").toggleAttribute("data-open", store.get("controls"));
+    byId("drawer").setAttribute("aria-expanded", String(store.get("controls")));
+  });
+  store.on(["full"], () => {
+    const full = store.get("full");
+    document.body.toggleAttribute("data-full", full);
+    // Where the browser refuses its whole screen, the large view has the whole window.
+    if (full) document.documentElement.requestFullscreen?.().catch(() => {});
+    else if (document.fullscreenElement) document.exitFullscreen();
+  });
+  document.addEventListener("fullscreenchange", () => document.fullscreenElement || store.set({ full: false }));
 }
 
 function enlargeIcon() {

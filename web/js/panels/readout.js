@@ -47,6 +47,7 @@ export function setUpReadout(store, frames, roundPings) {
   const clear = () => kFields.forEach((name) => write(byId(`read-${name}`), "–"));
   const show = () => {
     const cursor = store.get("cursor");
+    byId("readout").toggleAttribute("data-cursor", Boolean(cursor));
     if (!cursor) {
       clear();
       return;

@@ -26,9 +26,4 @@ export function setUpTabs() {
       byId(`tab-${next}`).click();
     });
   });
-  const drawer = byId("drawer");
-  drawer.addEventListener("click", () => {
-    const open = byId("controls").toggleAttribute("data-open");
-    drawer.setAttribute("aria-expanded", String(open));
-  });
 }

@@ -1,0 +1,193 @@
+// logic_test.mjs -- what the viewer's page computes without a browser: rates, plans of pictures, labels, measurements, and the
+// contrast of its colours. install.py copies the page beside this test.
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import path from "node:path";
+import { runChecks, sourceRoot } from "./checks.mjs";
+import { drawGraticule } from "../page/js/draw/graticule.js";
+import { makePlan } from "../page/js/draw/plan.js";
+import { RoundPicture } from "../page/js/draw/round.js";
+import { bearing } from "../page/js/format.js";
+import { Frames } from "../page/js/frames.js";
+import { Rates } from "../page/js/rates.js";
+import { describeSonar } from "../page/js/sonar.js";
+
+Object.assign(globalThis, { document: { documentElement: {} }, getComputedStyle: () => ({ getPropertyValue: () => "#808080" }) });
+
+const kHome = { factor: 1, x: 0, y: 0 };
+
+/** A sonar with even beams; `more` as in `hello`. */
+function sonarOf(beams, aperture, more = {}) {
+  const azimuths = Array.from({ length: beams }, (_, i) => aperture / 2 - ((i + 0.5) * aperture) / beams);
+  return describeSonar({ type: "fls", product: "image", beams, bins: 100, min_range: 0.2, max_range: 15, azimuths, azimuth_aperture: aperture, ...more });
+}
+
+/** Labels that a graticule writes: { text, left, right, y }. Digits are taken for 6 pixels wide. */
+function labelsOf(sonar, mode, width = 900, height = 600) {
+  const labels = [];
+  const context = new Proxy({
+    measureText: (text) => ({ width: 6 * text.length }),
+    fillText(text, x, y) {
+      const wide = 6 * text.length;
+      const left = x - { left: 0, center: wide / 2, right: wide }[this.textAlign];
+      labels.push({ text, left, right: left + wide, y });
+    },
+  }, { get: (real, name) => real[name] ?? (() => {}) });
+  drawGraticule(context, makePlan(sonar, mode, width, height, kHome), { grid: true, headAngle: 0 });
+  return labels;
+}
+
+const failed = await runChecks({
+  async "rates count over the time there is, and not before half a second of it"() {
+    const seen = (() => {
+      // Four pings that had waited at once, then 37 a second; time passes at 0.8 of the clock, which the server's stamps say.
+      const fast = new Rates();
+      const found = { fast: [], slow: [] };
+      const pings = [0, 0, 0, 0];
+      for (let i = 1; i < 37 * 6; ++i) pings.push((1000 * i) / 37);
+      let next = 0;
+      for (const now of [400, 499, 1000, 3000, 5000]) {
+        for (; next < pings.length && pings[next] <= now; ++next) fast.add(pings[next], { time: (0.8 * (next - 3)) / 37, change: 1, made_at: 1.7e9 + (next - 3) / 37 });
+        found.fast.push([fast.pingsPerSecond(now), fast.timeFactor(now)]);
+      }
+      fast.add(5001, { time: 0, change: 2, made_at: 1.7e9 + 5.1 });
+      found.restarted = fast.timeFactor(5002);
+      const slow = new Rates();
+      for (const now of [0, 5000, 10_000]) {
+        slow.add(now, { time: now / 500, change: 1 });
+        found.slow.push([slow.pingsPerSecond(now), slow.timeFactor(now)]);
+      }
+      found.stopped = [slow.pingsPerSecond(40_000), slow.timeFactor(40_000)];
+      return found;
+    })();
+    const rounded = seen.fast.map(([rate, pace]) => [rate && Math.round(rate), pace && Math.round(pace * 100) / 100]);
+    assert.deepEqual(rounded, [[null, null], [null, 0.8], [37, 0.8], [37, 0.8], [37, 0.8]]);
+    assert.equal(seen.restarted, null);
+    assert.deepEqual(seen.slow, [[null, null], [0.2, 2], [0.2, 2]]);
+    assert.deepEqual(seen.stopped, [0, null]);
+  },
+
+  async "a smaller view is drawn once a second at least, and at once when it has something to show"() {
+    const seen = (() => {
+      // Frames of a clock that is moved by hand, `length` milliseconds each; every frame asks for both drawings again.
+      const drawings = (length, empty = 0) => {
+        let now = 5000;
+        let pending = null;
+        const times = [];
+        const frames = new Frames({ now: () => now, next: (callback) => (pending = callback) });
+        const large = frames.add(() => {});
+        const small = frames.add(() => {
+          times.push(now);
+          return times.length > empty;
+        }, () => 1000);
+        for (let i = 0; i < 60; ++i) {
+          large();
+          small();
+          now += length;
+          pending();
+        }
+        return times;
+      };
+      const longest = (times) => Math.max(...times.slice(1).map((time, i) => time - times[i]));
+      return { quick: longest(drawings(16)), slow: [60, 150, 300, 700, 990, 1500].map((length) => longest(drawings(length))), empty: drawings(300, 3).slice(0, 4) };
+    })();
+    assert.equal(seen.quick, 16);
+    seen.slow.slice(0, 5).forEach((gap) => assert.ok(gap <= 1000, `${gap} ms between drawings`));
+    assert.ok(seen.slow[2] > 500, "frames of 0.3 s leave most drawings out");
+    assert.equal(seen.slow[5], 1500, "every frame");
+    assert.deepEqual(seen.empty, [5300, 5600, 5900, 6200]);
+  },
+
+  async "labels of the picture do not lie on each other"() {
+    for (const [beams, aperture, mode] of [[1, 1, "fan"], [32, 3, "fan"], [32, 7.5, "fan"], [64, 16, "polar"], [128, 120, "fan"], [128, 150, "fan"]]) {
+      const labels = labelsOf(sonarOf(beams, aperture), mode);
+      for (const [i, one] of labels.entries()) {
+        const other = labels.slice(i + 1).find((each) => Math.abs(each.y - one.y) < 11 && each.left < one.right && one.left < each.right);
+        assert.equal(other, undefined, `${aperture} deg, ${mode}: ${one.text} on ${other?.text}`);
+      }
+    }
+    const degrees = (sonar) => labelsOf(sonar, "fan").map(({ text }) => text).filter((text) => text.includes("°")).sort();
+    assert.deepEqual(degrees(sonarOf(1, 1)), ["0°"]);
+    assert.deepEqual(degrees(sonarOf(128, 120)), ["60° port", "60° stbd", "0°", ..."10 10 30 30 50 50".split(" ").map((each) => `${each}°`)].sort());
+  },
+
+  async "every label of a fan is within its picture"() {
+    for (const aperture of [10, 60, 90, 120, 130, 150, 180, 210]) {
+      for (const [width, height] of [[1048, 626], [1580, 986], [810, 777], [500, 700]]) {
+        for (const { text, left, right, y } of labelsOf(sonarOf(64, aperture), "fan", width, height)) {
+          assert.ok(left >= 0 && right <= width && y > 5 && y < height, `${aperture} deg at ${width} x ${height}: ${text} from ${left} to ${right} at ${y}`);
+        }
+      }
+    }
+  },
+
+  // Of 1048 x 626 pixels in a window of 1280 x 720: 24 are left above and 6 below, 596 for the range; 1032 across.
+  async "a fan of 120 degrees takes two thirds of 1280 x 720, and no picture reaches under the figures in its corners"() {
+    const sonar = sonarOf(128, 120);
+    const plan = makePlan(sonar, "fan", 1048, 626, kHome);
+    const width = plan.place(15, sonar.starboards.at(-1))[0] - plan.place(15, sonar.ports[0])[0];
+    const height = plan.toScreen(0, 0)[1] - plan.place(15, 0)[1];
+    assert.ok((width * height) / (1280 * 720) > 0.665, `${width} x ${height}`);
+    for (const [each, mode] of [[sonar, "fan"], [sonar, "polar"], [sonarOf(64, 30), "fan"], [sonarOf(128, 180), "fan"], [sonarOf(128, 300), "fan"]]) {
+      for (const size of [[1048, 626], [700, 900], [810, 777]]) {
+        const made = makePlan(each, mode, ...size, kHome);
+        for (const [x, y] of [[20, 620], [320, 528], [760, 580], [1040, 620]]) {
+          const at = [x > 524 ? size[0] - 1048 + x : x, size[1] - 626 + y];
+          assert.equal(made.holds(...at), false, `${mode} of ${each.beams} beams, ${size}: ${at}`);
+        }
+      }
+    }
+  },
+
+  async "bearings of a vertical head are slopes"() {
+    const said = [0, 0.001, 90, -90, -45.04, 134.96, 180, -179.99, 270, 30].map((angle) => bearing((angle * Math.PI) / 180, true));
+    assert.deepEqual(said, ["front", "front", "up", "down", "45.0° down", "45.0° up, back", "back", "back", "down", "30.0° up"]);
+  },
+
+  async "beams of a scanning head leave no column between them, whatever the step"() {
+    for (const step of [0.45, 0.9, 1.8, 3.7, -2.3]) {
+      const round = new RoundPicture();
+      round.clear({ step, ports: [0.02], starboards: [-0.02] });
+      for (let i = 0; i < 370 / Math.abs(step); ++i) round.add({ headAngle: ((0.3 + i * step) * Math.PI) / 180 });
+      assert.equal(round.order.filter((order) => order < 0).length, 0, `steps of ${step} degrees`);
+    }
+  },
+
+  async "a fan has its sides and right ahead written on it"() {
+    const head = { ...sonarOf(1, 3, { type: "msis", product: "line" }) };
+    for (const mode of ["fan", "polar"]) {
+      const at = new Map(labelsOf(sonarOf(128, 120), mode).map(({ text, left }) => [text, left]));
+      const [port, ahead, starboard] = ["60° port", "0°", "60° stbd"].map((text) => at.get(text));
+      assert.ok(port < ahead && ahead < starboard, `${mode}: ${port}, ${ahead}, ${starboard}`);
+    }
+    const round = labelsOf(head, "round").map(({ text }) => text);
+    for (const text of ["90° port", "90° stbd", "0°", "180°"]) assert.ok(round.includes(text), text);
+  },
+
+  // WCAG 2.1, 1.4.3: 4.5 for text; 1.4.11: 3 for what is told apart by its colour alone.
+  async "texts have a contrast of 4.5 and signs of 3 in both themes"() {
+    const css = readFileSync(path.join(sourceRoot(), "web/style/theme.css"), "utf8");
+    const coloursOf = (block) => Object.fromEntries([...block.matchAll(/--([\w-]+): (#[0-9a-f]{6})/g)].map(([, name, colour]) => [name, colour]));
+    const [dark, light] = [css.slice(0, css.indexOf("[data-theme")), css.slice(css.indexOf("[data-theme"))].map(coloursOf);
+    const linear = (part) => (part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4);
+    const luminance = (colour) => [0.2126, 0.7152, 0.0722].reduce((sum, weight, i) => sum + weight * linear(parseInt(colour.slice(1 + 2 * i, 3 + 2 * i), 16) / 255), 0);
+    const ratio = (a, b) => {
+      const [high, low] = [luminance(a), luminance(b)].sort((x, y) => y - x);
+      return (high + 0.05) / (low + 0.05);
+    };
+    assert.equal(ratio("#ffffff", "#000000"), 21);
+    const texts = [..."text soft bad warn".split(" ").flatMap((name) => ["panel", "raised"].map((ground) => [name, ground])), ["text", "bed"], ["accent-ink", "accent"], ["badge-ink", "bad"], ["tag-ink", "tag"]];
+    const signs = ["accent", "good", "warn", "bad"].map((name) => [name, "panel"]);
+    for (const [theme, colours] of Object.entries({ dark, light: { ...dark, ...light } })) {
+      for (const [pairs, least] of [[texts, 4.5], [signs, 3]]) {
+        for (const [front, ground] of pairs) {
+          const found = ratio(colours[front], colours[ground]);
+          assert.ok(found >= least, `${theme}: --${front} on --${ground} has ${found.toFixed(2)}, less than ${least}`);
+        }
+      }
+    }
+  },
+}, { only: process.argv[2] });
+
+process.exit(failed === 0 ? 0 : 1);
