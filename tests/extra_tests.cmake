@@ -130,6 +130,10 @@ if(BUILD_SHARED_LIBS)
       WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
   endforeach()
 endif()
+add_test(NAME documentation_links
+  COMMAND sh -c "$1 tools/check_links.py README.md CONTRIBUTING.md SECURITY.md CHANGELOG.md bench/README.md docs && $1 tests/tools/check_links_test.py"
+          documentation_links ${Python3_EXECUTABLE}
+  WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
 add_test(NAME run_doc_blocks
   COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_doc_blocks_test.py)
 
@@ -152,10 +156,10 @@ add_test(NAME shadow_depth_measures COMMAND Python3::Interpreter ${CMAKE_CURRENT
 add_test(NAME shell_texts
   COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/apps/shell_texts_test.py ${PROJECT_BINARY_DIR})
 
-# Comments in the public headers make pages without a warning.
+# Comments in the public headers are read without a warning.
 find_program(doxygen doxygen)
 if(doxygen AND NOT INSONIFY_SANITIZE)
-  add_test(NAME api_pages COMMAND bash dev docs WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+  add_test(NAME api_pages COMMAND bash dev docs --headers WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
 endif()
 
 # The version in CMakeLists.txt is the newest of the changelog, and the one to cite.

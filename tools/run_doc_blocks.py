@@ -18,7 +18,8 @@ Other blocks are only shown. A comment before a block says otherwise:
 
     <!-- file: NAME -->          the block is the file NAME: written, not run (but a cpp program is compiled and run too)
     <!-- run: no (REASON) -->    the block is not run; REASON tells a reader of the source why
-    <!-- run: fails -->          the block must fail: the exit status is not 0
+    <!-- run: fails -->          the block must fail: the exit status is not 0. A console block with its message must follow
+    <!-- run: with --images -->  the block is run with --images alone: it is slow, and only makes pictures
     <!-- run: needs MODULE -->   the block is run where Python can import MODULE, else only shown; a name with
                                  a dash, as insonify-bridge-dds, is that of a program on the path
     <!-- from: PATH -->          the block is not run; its lines are those of the file PATH of the source tree, in order,
@@ -42,6 +43,7 @@ import sys
 import tempfile
 
 SECONDS_PER_BLOCK = 300
+PICTURES_ONLY = "with --images"
 MARKER = re.compile(r"^\s*<!--\s*(file|run|from):\s*(.*?)\s*-->\s*$")
 IMAGE = re.compile(r"^\s*<!--\s*image:\s*(\S+)\s*=\s*(\S+)\s*-->\s*$")
 TIME = re.compile(r"\b\d+(\.\d+)?(?= (s|ms|pings/s)\b)")
@@ -89,6 +91,13 @@ def blocks_of(path):
     return blocks
 
 
+def check_messages(path, blocks):
+    """After a block that must fail stands the message that it ends with: else a failure of another kind would pass."""
+    for block, after in zip(blocks, [*blocks[1:], None]):
+        if block.run == "fails" and (after is None or after.language != "console" or after.run is not None):
+            raise Fault(f"{path}:{block.line}: a console block with the message must follow a block that fails")
+
+
 def execute(command, folder, environment):
     """Exit status and output; no input, and nothing outlives its time."""
     try:
@@ -129,8 +138,10 @@ def run_block(block, folder, arguments, environment):
     if needed and not is_there(needed.group(1), environment):
         print(f"  only shown: a block that needs {needed.group(1)}")
         return None
-    if block.run not in (None, "fails") and not needed:
-        raise Fault(f"run: {block.run} must be no (REASON), fails or needs MODULE")
+    if block.run == PICTURES_ONLY and not arguments.images:
+        return None
+    if block.run not in (None, "fails", PICTURES_ONLY) and not needed:
+        raise Fault(f"run: {block.run} must be no (REASON), fails, {PICTURES_ONLY} or needs MODULE")
     if block.file is not None:
         file = folder / block.file
         file.parent.mkdir(parents=True, exist_ok=True)
@@ -200,7 +211,9 @@ def run_document(path, arguments):
         environment = dict(os.environ, PATH=f"{build}:{build}/bin:{folder}/.bin:{os.environ['PATH']}", TMPDIR=name,
                            PYTHONPATH=str(build / "python"), PYTHONDONTWRITEBYTECODE="1", MPLBACKEND="Agg")
         output, all_ran = None, True
-        for block in blocks_of(path):
+        blocks = blocks_of(path)
+        check_messages(path, blocks)
+        for block in blocks:
             if block.source is not None:
                 try:
                     check_excerpt(block, root)
@@ -221,7 +234,7 @@ def run_document(path, arguments):
             except Fault as fault:
                 raise Fault(f"{path}:{block.line}: {fault}") from fault
             if result is None:
-                all_ran = all_ran and not (block.run or "").startswith("needs")
+                all_ran = all_ran and not (block.run or "").startswith(("needs", PICTURES_ONLY))
                 continue
             count += 1
             status, output = result

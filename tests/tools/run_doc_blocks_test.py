@@ -47,10 +47,20 @@ class RunDocBlocksTest(unittest.TestCase):
         self.assertEqual(run(block("cpp", "no C++"))[0], 1)
 
     def test_a_block_that_must_fail_must_fail(self):
-        self.assertEqual(run(block("bash", "exit 2", "<!-- run: fails -->"))[0], 0)
-        status, output = run(block("bash", "true", "<!-- run: fails -->"))
+        message = block("console", "no such sonar")
+        self.assertEqual(run(block("bash", "echo no such sonar; exit 2", "<!-- run: fails -->") + message)[0], 0)
+        status, output = run(block("bash", "true", "<!-- run: fails -->") + message)
         self.assertEqual(status, 1)
         self.assertIn("page.md:2: the block should have failed\n", output)
+
+    def test_a_block_that_must_fail_must_say_what_the_page_shows(self):
+        fails = block("bash", "echo no such sonar; exit 2", "<!-- run: fails -->")
+        status, output = run(fails + block("console", "no such range"))
+        self.assertEqual(status, 1)
+        self.assertIn("page.md:7: this line was not printed there: no such range\n", output)
+        fault = "page.md:2: a console block with the message must follow a block that fails\n"
+        for after in ("", block("bash", "true"), block("console", "no such sonar", "<!-- run: no (a test) -->")):
+            self.assertEqual(run(fails + after), (1, fault))
 
     def test_other_languages_and_skipped_blocks_are_shown_only(self):
         page = block("", "./no-such-thing") + block("json", "{") + block("bash", "exit 2", "<!-- run: no (a test) -->")
@@ -114,6 +124,13 @@ class RunDocBlocksTest(unittest.TestCase):
             self.assertEqual(picture.read_text(encoding="utf-8"), "old\n")
             self.assertEqual(run_in(folder, page, "--images"), (0, "page.md: 1 blocks ran\n"))
             self.assertEqual(picture.read_text(encoding="utf-8"), "new\n")
+
+    def test_a_block_may_make_pictures_alone(self):
+        page = "<!-- image: a.png = b.png -->\n![A](a.png)\n\n" + block("bash", "echo new > b.png", "<!-- run: with --images -->")
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertEqual(run_in(folder, page), (0, "page.md: 0 blocks ran\n"))
+            self.assertEqual(run_in(folder, page, "--images"), (0, "page.md: 1 blocks ran\n"))
+            self.assertEqual((pathlib.Path(folder) / "a.png").read_text(encoding="utf-8"), "new\n")
 
     def test_pictures_must_be_made_and_shown(self):
         marker = "Text.\n<!-- image: a.png = b.png -->\n"

@@ -54,7 +54,8 @@ void print_markdown(const SectionDescription& section) {
   say("\n## {}\n\n{}\n\n", section.name, section.help);
   say("| Key | Unit | Allowed | Default | Meaning |\n| --- | --- | --- | --- | --- |\n");
   for (const KeyDescription& key : section.keys) {
-    say("| `{}` | {} | {} | {} | {} |\n", key.key, key.unit, key.allowed,
+    const std::string anchor = section.name + "." + key.key;
+    say("| <a id=\"{0}\" href=\"#{0}\">`{1}`</a> | {2} | {3} | {4} | {5} |\n", anchor, key.key, key.unit, key.allowed,
         key.default_value == "-" ? "" : "`" + key.default_value + "`", key.help);
   }
 }
