@@ -1,7 +1,7 @@
 """What shadows hold, relative to the lit floor, by four measures.
 
     shadow_depth.py INSONIFY            # in the project's root, with its scenes built: prints the table of
-                                        # docs/concepts/multipath.md, "Shadows"
+                                        # docs/concepts/shadows.md
     shadow_depth.py INSONIFY --check    # mean image alone; exit status 1 unless shadows are 15 to 26 dB deep
     shadow_depth.py INSONIFY --steel    # by surface of the metal, and behind a boulder: the table of
                                         # "Smooth steel, and arrays that are not perfect"

@@ -1,5 +1,5 @@
 // shadow_fill_test.cpp -- what fills shadows: the floor that a smooth post mirrors, and the side lobes of an array
-// whose elements differ (docs/concepts/multipath.md, "Smooth steel, and arrays that are not perfect").
+// whose elements differ (docs/concepts/shadows.md).
 
 #include "insonify/array_pattern.h"
 #include "validation/secondary_grid.h"

@@ -19,7 +19,7 @@ namespace insonify {
 /// A walk starts at the sonar, at a bearing that is fixed in the world. At each surface the next direction is drawn by
 /// SurfaceLaw. From the second surface on, each surface is also connected to the sonar, and the echo of this leg is
 /// added to the grid if nothing blocks it. The expected value of the grid is the integral over all paths:
-/// docs/concepts/multipath.md, "Random walks". Walks depend on the seed and on where everything is, not on threads or
+/// docs/concepts/random-walks.md. Walks depend on the seed and on where everything is, not on threads or
 /// engine, nor on the ping, but that waves on the water's surface reflect differently in each.
 ///
 /// All bearings of the full circle, in equal steps, have one walk each, and a ping takes those that its beams send to:
