@@ -8,8 +8,13 @@ import { runChecks, sourceRoot } from "./checks.mjs";
 import { drawGraticule } from "../page/js/draw/graticule.js";
 import { makePlan } from "../page/js/draw/plan.js";
 import { RoundPicture } from "../page/js/draw/round.js";
+import { crossLines } from "../page/js/draw/shapes.js";
+import { clearPoint, heightAbove } from "../page/js/draw/sight.js";
 import { bearing } from "../page/js/format.js";
 import { Frames } from "../page/js/frames.js";
+import { quaternionOf, radians } from "../page/js/geometry.js";
+import { plainError } from "../page/js/panels/setting_names.js";
+import { poseFigures, poseTexts } from "../page/js/pose.js";
 import { Rates } from "../page/js/rates.js";
 import { describeSonar } from "../page/js/sonar.js";
 
@@ -109,7 +114,7 @@ const failed = await runChecks({
     }
     const degrees = (sonar) => labelsOf(sonar, "fan").map(({ text }) => text).filter((text) => text.includes("°")).sort();
     assert.deepEqual(degrees(sonarOf(1, 1)), ["0°"]);
-    assert.deepEqual(degrees(sonarOf(128, 120)), ["60° port", "60° stbd", "0°", ..."10 10 30 30 50 50".split(" ").map((each) => `${each}°`)].sort());
+    assert.deepEqual(degrees(sonarOf(128, 120)), ["0°", ..."10 30 50 60".split(" ").flatMap((each) => [`${each}° P`, `${each}° S`])].sort());
   },
 
   async "every label of a fan is within its picture"() {
@@ -158,11 +163,39 @@ const failed = await runChecks({
     const head = { ...sonarOf(1, 3, { type: "msis", product: "line" }) };
     for (const mode of ["fan", "polar"]) {
       const at = new Map(labelsOf(sonarOf(128, 120), mode).map(({ text, left }) => [text, left]));
-      const [port, ahead, starboard] = ["60° port", "0°", "60° stbd"].map((text) => at.get(text));
+      const [port, ahead, starboard] = ["60° P", "0°", "60° S"].map((text) => at.get(text));
       assert.ok(port < ahead && ahead < starboard, `${mode}: ${port}, ${ahead}, ${starboard}`);
     }
     const round = labelsOf(head, "round").map(({ text }) => text);
-    for (const text of ["90° port", "90° stbd", "0°", "180°"]) assert.ok(round.includes(text), text);
+    for (const text of ["90° P", "90° S", "0°", "180°"]) assert.ok(round.includes(text), text);
+  },
+
+  async "walls are not between camera and vehicle, and the way down ends at the ground"() {
+    const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+    const square = (corners) => ({ matrix: identity, vertices: new Float32Array(corners), triangles: new Uint32Array([0, 1, 2, 0, 2, 3]) });
+    const objects = [square([18, -20, -3, 18, 20, -3, 18, 20, 3, 18, -20, 3]), square([-30, -30, -3, 30, -30, -3, 30, 30, -3, -30, 30, -3])];
+    const through = clearPoint(objects, [10, 0, 0], [30, 0, 0], 1);
+    assert.ok(Math.abs(through[0] - (10 + 0.9 * 8)) < 1e-4 && through[1] === 0, String(through));
+    assert.deepEqual([clearPoint(objects, [10, 25, 0], [30, 25, 0], 1), clearPoint(objects, [10, 0, 0], [30, 0, 20], 1)], [[30, 25, 0], [30, 0, 20]]);
+    assert.ok(Math.abs(clearPoint(objects, [17.3, 0, 0], [27.3, 0, 0], 1)[0] - 18.3) < 1e-6, "not nearer to the vehicle than that");
+    assert.deepEqual(clearPoint(objects, [17.5, 0, 0], [27.5, 0, 0], 1), [27.5, 0, 0], "what touches the vehicle is looked over");
+    assert.ok(Math.abs(heightAbove(objects, [5, 2, 1.25]) - 4.25) < 1e-6);
+    assert.deepEqual([heightAbove(objects, [5, 2, -4]), heightAbove(objects, [50, 2, 1])], [null, null]);
+    assert.deepEqual([...crossLines([[12, -3, 0]], 0.5)].slice(0, 12), [11.5, -3, 0, 12.5, -3, 0, 12, -3.5, 0, 12, -2.5, 0]);
+  },
+
+  // North is the world's y: a yaw of 90 degrees heads north, one of 0 east, one of -100 degrees 190.
+  async "heading, depth and altitude are those of a compass, of the sea's surface and of the ground"() {
+    const of = (yaw, z, surface, ground) => poseTexts(poseFigures({ position: [0, 0, z], orientation: quaternionOf([0, radians(5), radians(yaw)]) }, { keys: { surface: { value: surface }, "surface.level": { value: 2.5 } } }, ground));
+    assert.deepEqual(of(90, -7.5, true, -12), ["heading 000°   pitch 5°   roll 0°", "depth 10.0 m   altitude 4.5 m"]);
+    assert.deepEqual(of(-100, -7.5, false, -Infinity), ["heading 190°   pitch 5°   roll 0°", "z \u22127.5 m"]);
+    assert.equal(of(0.4, 0, false)[0].slice(0, 12), "heading 090°");
+  },
+
+  async "errors of settings speak of the controls, not of the command line"() {
+    assert.equal(plainError("--set sonars[0].max_range=0.1: sonars[0].max_range = 0.1 m must be greater than min_range = 0.5 m"), "Range = 0.1 m must be greater than nearest range = 0.5 m");
+    assert.equal(plainError("--set: sonars.fls.receiver.time_varied_gain = -1 must be at least 0"), "TVG = -1 must be at least 0");
+    assert.equal(plainError("--set: sonars[1].two_way_array = 3: true or false"), "two way array = 3: true or false");
   },
 
   // WCAG 2.1, 1.4.3: 4.5 for text; 1.4.11: 3 for what is told apart by its colour alone.

@@ -121,7 +121,7 @@ const failed = await runChecks({
     await until(async () => (await text("read-level")).startsWith("\u221231"), "the point's level");
     assert.ok(Math.abs(parseFloat(await text("read-range")) - 12.369) < 0.06, await text("read-range"));
     assert.ok(Math.abs(parseFloat(await text("read-bearing")) - 14.036) < 0.24, await text("read-bearing"));
-    assert.match(await text("read-bearing"), /stbd$/);
+    assert.match(await text("read-bearing"), /S$/);
     assert.ok(Math.abs(-31.25 + Number((await text("read-level")).slice(1, -3))) < 0.051, await text("read-level"));
     assert.equal(await text("read-beam"), "78");
     assert.equal(await text("read-bin"), "102");
@@ -191,7 +191,7 @@ const failed = await runChecks({
 
   async "an error is shown beside its control, at the bottom and in the log, and the control goes back"() {
     await choose("key-sonars[0].max_range", "0");
-    const message = "--set: sonars[0].max_range = 0 must be greater than 0 and at most 100000";
+    const message = "Range = 0 must be greater than 0 and at most 100000";
     await until(async () => (await text("error-sonars[0].max_range".replace(/[[\].]/g, "\\$&"))) === message, "the error");
     assert.equal(await text("note"), message);
     assert.ok((await text("log")).includes(message));
@@ -576,7 +576,7 @@ const failed = await runChecks({
     for (const [degrees, reason] of [[-44, "No ping in this direction yet"], [50, "Outside the scanned sector"]]) {
       await page.mouse.move(...(await placeOf(10, (degrees * Math.PI) / 180)));
       await until(async () => (await text("ascan-empty")) === reason && !(await page.$eval("#ascan-empty", (node) => node.hidden)), reason);
-      assert.match(await text("ascan-caption"), degrees < 0 ? /^4[34]\.\d° stbd$/ : /^(49|50)\.\d° port$/);
+      assert.match(await text("ascan-caption"), degrees < 0 ? /^4[34]\.\d° S$/ : /^(49|50)\.\d° P$/);
     }
     delete server.sonars[1].sector_width;
     await serverPauses(false);
@@ -711,7 +711,7 @@ const failed = await runChecks({
       assert.deepEqual(cut, [], `${width} x ${height}`);
       // Figures as long as they can be are whole, and within the line or the lines of the readout.
       const cutFigures = await page.evaluate(() => {
-        const figures = { range: "1234.567 m", bearing: "120.0\u00b0 stbd", level: "\u2212108.1 dB (shown \u2212108.1)", beam: "1023", bin: "12345", world: "\u2212123.45, \u2212123.45, \u2212123.45" };
+        const figures = { range: "1234.567 m", bearing: "120.0\u00b0 S", level: "\u2212108.1 dB (shown \u2212108.1)", beam: "1023", bin: "12345", world: "\u2212123.45, \u2212123.45, \u2212123.45" };
         const edge = document.getElementById("readout").getBoundingClientRect();
         return Object.entries(figures).filter(([name, text]) => {
           const node = document.getElementById(`read-${name}`);
@@ -786,30 +786,12 @@ const failed = await runChecks({
     server.say(server.hello());
   },
 
-  async "point targets are crosses in the scene, and walls are not between camera and vehicle"() {
+  async "point targets are crosses in the scene"() {
     await until(() => page.evaluate(() => Boolean(insonify.scene && insonify.store.get("scene"))), "the scene");
-    const seen = await page.evaluate(async (point) => {
-      const { clearPoint } = await import("./js/draw/sight.js");
-      const { crossLines } = await import("./js/draw/shapes.js");
+    assert.equal(await page.evaluate(() => {
       insonify.scene.draw();
-      const { objects } = insonify.store.get("scene");
-      return {
-        drawn: insonify.scene.renderer.lists.points.count,
-        cross: [...crossLines([point], 0.5)],
-        // The wall is at x = 18, from y = -20 to 20 and z = -3 to 3.
-        through: clearPoint(objects, [10, 0, 0], [30, 0, 0], 1),
-        beside: clearPoint(objects, [10, 25, 0], [30, 25, 0], 1),
-        above: clearPoint(objects, [10, 0, 0], [30, 0, 20], 1),
-        close: clearPoint(objects, [17.3, 0, 0], [27.3, 0, 0], 1),
-        touching: clearPoint(objects, [17.5, 0, 0], [27.5, 0, 0], 1),
-      };
-    }, kPoint.position);
-    assert.equal(seen.drawn, 6);
-    assert.deepEqual(seen.cross.slice(0, 12), [11.5, -3, 0, 12.5, -3, 0, 12, -3.5, 0, 12, -2.5, 0]);
-    assert.ok(Math.abs(seen.through[0] - (10 + 0.9 * 8)) < 1e-4 && seen.through[1] === 0, String(seen.through));
-    assert.deepEqual([seen.beside, seen.above], [[30, 25, 0], [30, 0, 20]]);
-    assert.ok(Math.abs(seen.close[0] - 18.3) < 1e-6, "not nearer to the vehicle than that");
-    assert.deepEqual(seen.touching, [27.5, 0, 0], "what touches the vehicle is looked over");
+      return insonify.scene.renderer.lists.points.count;
+    }), 6);
   },
 
   async "a recording has a line of time, and nothing to steer or to change"() {

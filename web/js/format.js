@@ -14,7 +14,7 @@ export const metres = (value, binLength = 0.1) => `${number(value, binLength < 0
 
 export const decibels = (value) => `${number(value, 1)} dB`;
 
-/** A bearing from an azimuth, which is positive to port [rad]; a turned head's azimuth may exceed half a turn. That of a
+/** A bearing from an azimuth, which is positive to port [rad], with P or S for its side; a turned head's azimuth may exceed half a turn. That of a
  * `vertical` head is positive up, and its bearing the slope: "60.0° down". */
 export function bearing(azimuth, vertical = false) {
   const turn = (-azimuth * 180) / Math.PI;
@@ -22,7 +22,7 @@ export function bearing(azimuth, vertical = false) {
   if (vertical) return slope(-degrees, 1);
   const text = `${Math.abs(degrees).toFixed(1)}°`;
   if (Number(Math.abs(degrees).toFixed(1)) === 0) return text;
-  return `${text} ${degrees > 0 ? "stbd" : "port"}`;
+  return `${text} ${degrees > 0 ? "S" : "P"}`;
 }
 
 /** An angle above the front of a vertical head's housing, within half a turn [degrees], as the angle from the horizontal. */

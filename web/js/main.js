@@ -11,7 +11,7 @@ import { Notes } from "./panels/notes.js";
 import { setUpObjects } from "./panels/objects.js";
 import { lookUp, setUpReadout } from "./panels/readout.js";
 import { setUpScreenshot } from "./panels/screenshot.js";
-import { setUpSettings } from "./panels/settings.js";
+import { changeRange, setUpSettings } from "./panels/settings.js";
 import { setUpGamepad, setUpSticks } from "./panels/sticks.js";
 import { isRecording, setUpTimeline } from "./panels/timeline.js";
 import { setUpTabs } from "./panels/tabs.js";
@@ -69,10 +69,11 @@ setUpSonars(store, (name) => session.choose(name));
 setUpTransport(store, request);
 setUpTimeline(store, request);
 setUpObjects(store, request, notes);
-setUpSettings(store, (settings, line, failed) => {
+const apply = (settings, line, failed) => {
   notes.expect("set", line, failed);
   request({ op: "set", settings });
-});
+};
+setUpSettings(store, apply);
 const redrawAll = () => {
   picture.draw();
   drawColourBar(byId("colour-bar"), store);
@@ -91,6 +92,8 @@ setUpKeyboard(flight, [
   ["b", "One ping back, of a recording", press("back")],
   ["+", "Faster", () => changeSpeed(store, request, 1)],
   ["-", "Slower", () => changeSpeed(store, request, -1)],
+  [",", "Shorter range", () => changeRange(store, apply, -1)],
+  [".", "Longer range", () => changeRange(store, apply, 1)],
   ["t", "Follow the trajectory", press("follow")],
   ["h", "Hold the picture", press("freeze")],
   ["f", "Full screen", press("full")],

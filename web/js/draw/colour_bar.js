@@ -32,10 +32,10 @@ export function drawColourBar(canvas, store) {
   context.fillText(referenceText(store), (left + right) / 2, deep + 21, width);
 }
 
-/** What the shown decibels refer to: the sonar's reference and the gain of the display. */
+/** What the shown decibels refer to: the sonar's reference and the gain of the display, as on the pictures of `draw`. */
 export function referenceText(store) {
   const parts = [store.get("sonar")?.reference ?? "dB"];
   if (store.get("gain") !== 0) parts.push(`${number(store.get("gain"))} dB`);
-  if (store.get("tvg") !== 0) parts.push(`${number(store.get("tvg"))} lg(r / m)`);
-  return parts.join(" + ").replace("+ \u2212", "\u2212 ");
+  if (store.get("tvg") !== 0) parts.push(`${number(store.get("tvg"))} log r`);
+  return parts.join(", + ").replace("+ \u2212", "\u2212 ");
 }

@@ -5,7 +5,7 @@ import { number, ringSpacing, slope, ticks } from "../format.js";
 import { degrees, radians, wrapped } from "../geometry.js";
 
 const kFont = "11px system-ui, sans-serif";
-const kWide = 28;    // that of an angle [pixels]
+const kWide = 36;    // that of an angle [pixels]
 const kBeside = 58;  // room for a label beside the fan [pixels]
 
 /** Draws all lines of `plan`; `options` = { grid, cursor, beam, headAngle }. */
@@ -76,18 +76,16 @@ function drawAhead(context, plan) {
   context.strokeStyle = themeColour("--ring");
 }
 
-// With its side at the edges of a fan, and abeam of a round picture.
 function radialLabel(plan, azimuth, isEdge = false) {
   const [x, y] = plan.place(plan.sonar.max_range * 1.0, azimuth);
   const angle = plan.sonar.up - azimuth;
-  const withSide = isEdge || (plan.mode === "round" && Math.abs(Math.abs(azimuth) - Math.PI / 2) < 1e-6);
   const isBeside = x > kBeside && x < plan.width - kBeside;
   if (isEdge && !isBeside) {  // Below the corner.
-    return { isEdge, text: radialText(plan.sonar, azimuth, true), align: azimuth > 0 ? "left" : "right", baseline: "top", x, y: y + 5 };
+    return { isEdge, text: radialText(plan.sonar, azimuth), align: azimuth > 0 ? "left" : "right", baseline: "top", x, y: y + 5 };
   }
   return {
     isEdge,
-    text: radialText(plan.sonar, azimuth, withSide),
+    text: radialText(plan.sonar, azimuth),
     align: Math.sin(angle) > 0.2 ? "left" : Math.sin(angle) < -0.2 ? "right" : "center",
     baseline: Math.cos(angle) < -0.5 ? "top" : "bottom",
     x: x > 0 && x < plan.width ? Math.min(Math.max(x + 5 * Math.sin(angle), kWide), plan.width - kWide) : x,
@@ -121,10 +119,10 @@ function writeApart(context, plan, labels) {
   }
 }
 
-function radialText({ vertical }, azimuth, withSide) {
+function radialText({ vertical }, azimuth) {
   if (vertical) return slope(degrees(wrapped(azimuth)), 0).replace(/, back$/, "");
-  const side = withSide && azimuth !== 0 ? (azimuth > 0 ? " port" : " stbd") : "";
-  return `${Number(Math.abs(degrees(azimuth)).toFixed(1))}°${side}`;
+  const angle = Number(Math.abs(degrees(azimuth)).toFixed(1));
+  return angle === 0 || angle === 180 ? `${angle}°` : `${angle}° ${azimuth > 0 ? "P" : "S"}`;
 }
 
 // At the left edge of the fan, beside it.
@@ -133,8 +131,9 @@ function labelRing(context, plan, range, azimuth) {
   if (x < -20 || y < 0 || x > plan.width || y > plan.height) return;
   const text = `${number(range, Number.isInteger(range) ? 0 : 1)} m`;
   const wide = context.measureText(text).width;
-  if (plan.mode === "round" || (isSmall(plan) && x < wide + 8)) {
-    writeInside(context, text, plan.mode === "round" ? x - wide - 3 : x + 4, plan.mode === "round" ? y + 9 : y - 2);
+  if (isSmall(plan) && x < wide + 8) return;  // Small pictures have no room over the echoes.
+  if (plan.mode === "round") {
+    writeInside(context, text, x - wide - 3, y + 9);
     return;
   }
   const isLast = range > 0.97 * plan.sonar.max_range;  // The edge's own label is there.
@@ -192,7 +191,7 @@ function drawPolarGrid(context, plan) {
     context.lineTo(x, azimuth === 0 ? bottom - 7 : top);
     context.stroke();
     const isEdge = azimuth === port || azimuth === starboard;
-    labels.push({ isEdge, text: radialText(sonar, azimuth, isEdge), align: "center", baseline: "middle", x, y: bottom + 12 });
+    labels.push({ isEdge, text: radialText(sonar, azimuth), align: "center", baseline: "middle", x, y: bottom + 12 });
   }
   writeApart(context, plan, labels);
 }

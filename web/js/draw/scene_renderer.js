@@ -61,6 +61,7 @@ export class SceneRenderer {
     gl.enable(gl.DEPTH_TEST);
     this.#drawSurfaces(camera, store, false);
     const ping = store.get("shown");
+    if (camera.mode === "top") gl.clear(gl.DEPTH_BUFFER_BIT);  // The vehicle is seen through what is above it.
     if (ping) this.#drawVehicle(camera, ping.vehicle ?? ping.pose);
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);

@@ -1,15 +1,15 @@
 // sight.js -- how far one sees from a point of the scene before a surface is in the way.
 
-import { add, cross, dot, scale, subtract } from "../geometry.js";
+import { add, scale, subtract } from "../geometry.js";
 
 const kMostTriangles = 50_000;  // Larger meshes are looked through: testing them would slow the picture.
 
 /** Part of the way from one point to another [m, world] up to the first surface after the part `least`; 1 where there is none. */
-export function clearPart(objects, from, to, least) {
+export function clearPart(objects, from, to, least, most = kMostTriangles) {
   let part = 1;
   for (const object of objects) {
     const count = object.triangles.length / 3;
-    if (count === 0 || count > kMostTriangles) continue;
+    if (count === 0 || count > most) continue;
     const [start, end] = [from, to].map((point) => intoObject(object.matrix, point));
     if (meetsBox(boxOf(object.vertices), start, end)) part = Math.min(part, firstHit(object, start, subtract(end, start), least));
   }
@@ -41,26 +41,34 @@ function meetsBox([least, most], start, end) {
 }
 
 // T. Moeller and B. Trumbore, Fast, minimum storage ray/triangle intersection (1997), for both sides of each triangle.
-function firstHit({ vertices, triangles }, start, way, least) {
+// Written out by coordinates: vectors of their own would cost ten times as much.
+function firstHit({ vertices: v, triangles }, [ox, oy, oz], [dx, dy, dz], least) {
   let first = 1;
-  const corner = (i) => vertices.subarray(3 * i, 3 * i + 3);
   for (let i = 0; i < triangles.length; i += 3) {
-    const a = corner(triangles[i]);
-    const ab = subtract(corner(triangles[i + 1]), a);
-    const ac = subtract(corner(triangles[i + 2]), a);
-    const across = cross(way, ac);
-    const size = dot(ab, across);
+    const [a, b, c] = [3 * triangles[i], 3 * triangles[i + 1], 3 * triangles[i + 2]];
+    const [bx, by, bz] = [v[b] - v[a], v[b + 1] - v[a + 1], v[b + 2] - v[a + 2]];
+    const [cx, cy, cz] = [v[c] - v[a], v[c + 1] - v[a + 1], v[c + 2] - v[a + 2]];
+    const [px, py, pz] = [dy * cz - dz * cy, dz * cx - dx * cz, dx * cy - dy * cx];
+    const size = bx * px + by * py + bz * pz;
     if (size === 0) continue;
-    const off = subtract(start, a);
-    const u = dot(off, across) / size;
+    const [sx, sy, sz] = [ox - v[a], oy - v[a + 1], oz - v[a + 2]];
+    const u = (sx * px + sy * py + sz * pz) / size;
     if (u < 0 || u > 1) continue;
-    const along = cross(off, ab);
-    const v = dot(way, along) / size;
-    if (v < 0 || u + v > 1) continue;
-    const part = dot(ac, along) / size;
+    const [qx, qy, qz] = [sy * bz - sz * by, sz * bx - sx * bz, sx * by - sy * bx];
+    const w = (dx * qx + dy * qy + dz * qz) / size;
+    if (w < 0 || u + w > 1) continue;
+    const part = (cx * qx + cy * qy + cz * qz) / size;
     if (part > least && part < first) first = part;
   }
   return first;
+}
+
+const kDeepest = 2000;  // [m]
+
+/** Height of a point [m, world] above the first surface below it; null above none. */
+export function heightAbove(objects, [x, y, z]) {
+  const part = clearPart(objects, [x, y, z], [x, y, z - kDeepest], 0, Infinity);
+  return part === 1 ? null : part * kDeepest;
 }
 
 const kTouch = 0.6;  // What is nearer than that touches the vehicle, and is looked over [m].

@@ -40,6 +40,8 @@ export function setUpDisplay(store, frames, roundPings) {
   setUpBeam(store);
   const redraw = frames.add(() => drawLegend(store, roundPings));
   store.on(["shown", "overlay", "hello"], redraw);
+  store.on(["overlay"], () => (pingsSince = 0));
+  store.on(["shown"], () => ++pingsSince);
 }
 
 function slider(store, name) {
@@ -57,7 +59,7 @@ function slider(store, name) {
     if (value < Number(input.min)) input.min = value;
     if (value > Number(input.max)) input.max = value;
     input.value = value;
-    const text = name === "tvg" ? (value === 0 ? "off" : `${number(value)} lg r`) : `${number(value)} dB`;
+    const text = name === "tvg" ? (value === 0 ? "off" : `${number(value)} log r`) : `${number(value)} dB`;
     write(byId(`${name}-text`), text);
     input.setAttribute("aria-valuetext", text);
   });
@@ -144,18 +146,29 @@ export function nextOverlay(store) {
 // The paper's model has no shadows and no paths in its ground truth.
 const isThere = (store, overlay) => !kCalibrated.includes(overlay) || store.get("hello")?.keys?.model?.value !== "paper";
 
+let pingsSince = 0;     // that came since the overlay was chosen
+const kUnderway = 3;    // of them were on their way before the server knew
+
+// Whether the pings hold no such table, rather than not yet.
+function isMissing(store, overlay, ping) {
+  if (overlay === "none" || !ping || ping.tables[overlay]) return false;
+  const truth = store.get("hello")?.keys?.ground_truth?.value;
+  const lacks = truth === "none" || (truth === "labels" && kCalibrated.includes(overlay)) || !isThere(store, overlay);
+  return lacks || pingsSince > kUnderway;
+}
+
 function drawLegend(store, roundPings) {
   const overlay = store.get("overlay");
   const ping = store.get("shown");
   const legend = byId("legend");
   const error = byId("overlay-error");
-  const missing = overlay !== "none" && ping && !ping.tables[overlay];
+  const missing = isMissing(store, overlay, ping);
   error.hidden = !missing;
   if (missing) {
     const needs = kCalibrated.includes(overlay) ? "full" : "labels or full";
     write(error, isThere(store, overlay) ? `The pings hold no ${overlay}: set ground_truth to ${needs}.` : `The pings hold no ${overlay}: it needs the calibrated model.`);
   }
-  const entries = overlay === "none" || missing || !ping ? [] : (kFixedLegends[overlay] ?? labelEntries(store, tablesOf(store, ping, overlay, roundPings), overlay));
+  const entries = overlay === "none" || !ping?.tables[overlay] ? [] : (kFixedLegends[overlay] ?? labelEntries(store, tablesOf(store, ping, overlay, roundPings), overlay));
   legend.hidden = entries.length === 0;
   const key = JSON.stringify(entries);
   if (legend.dataset.key === key) return;

@@ -1,6 +1,7 @@
 // notes.js -- what the server says: one line at the bottom, near the control it concerns, and in the log.
 
 import { byId, element, write } from "../dom.js";
+import { plainError } from "./setting_names.js";
 
 const kMostLines = 300;
 const kShown = 9000;  // milliseconds that a note stays at the bottom
@@ -20,7 +21,8 @@ export class Notes {
   }
 
   /** An error of a request `op`, or of the page itself. */
-  error(text, op = "") {
+  error(message, op = "") {
+    const text = op === "set" ? plainError(message) : message;
     this.#show(text, "error");
     const near = this.#waiting.get(op);
     this.#waiting.delete(op);
@@ -41,7 +43,6 @@ export class Notes {
   #show(text, kind) {
     const line = byId("note");
     write(line, text);
-    line.title = text;
     line.dataset.kind = kind;
     clearTimeout(this.#timer);
     this.#timer = setTimeout(() => write(line, ""), kShown);

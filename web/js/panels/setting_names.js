@@ -23,6 +23,12 @@ export function generalKey(path, index, name) {
   return /^sonars[[.]/.test(path) ? null : path;
 }
 
+/** A message of the server about a setting, with the name that the setting has among the controls. */
+export const plainError = (text) =>
+  text.replace(/^--set( .*?)?: /, "")
+    .replace(/\bsonars(\[\d+\]|\.[^.\s]+)\.([\w.]+)/g, (_, sonar, key) => labelOf(`S.${key}`))
+    .replace(/\b[a-z]+_[a-z_]+\b/g, (word) => kLabels.get(`S.${word}`)?.toLowerCase() ?? word);
+
 /** Group of controls that a key stands in: sonar, model or more. */
 export const groupOf = (key) => (kSonarKeys.has(key) ? "sonar" : kLabels.has(key) ? "model" : "more");
 

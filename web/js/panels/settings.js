@@ -2,6 +2,7 @@
 
 import { byId, element } from "../dom.js";
 import { productIn } from "../product.js";
+import { isRecording } from "./timeline.js";
 import { generalKey, groupOf, labelOf, rankOf } from "./setting_names.js";
 
 const kRanges = [1, 2, 3, 5, 7.5, 10, 15, 20, 25, 30, 40, 50, 60, 75, 100, 120, 150, 200, 300, 500];
@@ -42,8 +43,17 @@ function keysOfSonar(store) {
   const index = hello?.sonars.findIndex((sonar) => sonar.name === name) ?? -1;
   return Object.entries(hello?.keys ?? {})
     .map(([path, entry]) => [path, entry, generalKey(path, index, name)])
-    .filter(([, , key]) => key !== null && (productIn(store).gathers || !kOfHead.has(key)))
+    .filter(([path, , key]) => key !== null && (productIn(store).gathers || !kOfHead.has(key)) && !isOwn(hello, index, path))
     .sort(([, , a], [, , b]) => rankOf(a) - rankOf(b));
+}
+
+// Whether the sonar has a key of its own that acts instead of the scenario's.
+const isOwn = (hello, index, path) => path.startsWith("receiver.") && `sonars[${index}].${path}` in hello.keys;
+
+/** Asks for the next usual range of the watched sonar. */
+export function changeRange(store, apply, direction) {
+  const [path, entry, key] = keysOfSonar(store).find(([, , each]) => each === "S.max_range") ?? [];
+  if (path && !isRecording(store)) apply([`${path}=${nextValue(key, entry.value, direction)}`], byId(`error-${path}`));
 }
 
 function search(place, words) {

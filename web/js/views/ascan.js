@@ -30,15 +30,17 @@ export class AscanView {
     const azimuth = product.azimuth(sonar, ping, beam);
     write(byId("ascan-caption"), `${product.beam(beam)}${bearing(azimuth, sonar.vertical)}${cursor ? "" : product.chosen}`);
     const low = store.get("low");
-    const high = Math.max(store.get("high"), low + 1);
+    const trace = traceOf(sonar, ping, beam, store);
+    // The axis reaches to the loudest bin, also where the picture's colours end below it.
+    const high = Math.max(store.get("high"), low + 1, Math.ceil(trace.loudest));
     const margin = (high - low) * 0.12;
     const frame = {
-      left: 34, right: width - 8, top: 28, bottom: height - 18,
+      left: 34, right: width - 8, top: store.get("main") === "ascan" ? 46 : 28, bottom: height - 18,
       low: low - margin, high: high + margin, near: sonar.min_range, far: sonar.max_range,
     };
     if (frame.bottom - frame.top < 20) return;
-    drawAxes(context, frame, low, high);
-    drawTrace(context, frame, sonar, ping, beam, store);
+    drawAxes(context, frame, low, Math.max(store.get("high"), low + 1));
+    drawTrace(context, frame, trace);
     if (cursor) drawLine(context, frame, cursor.range);
   }
 
@@ -67,7 +69,7 @@ function drawAxes(context, frame, low, high) {
   context.fillStyle = themeColour("--soft");
   context.textAlign = "right";
   context.textBaseline = "middle";
-  for (const level of ticks(low, high, niceStep((high - low) / Math.max(2, (frame.bottom - frame.top) / 32)))) {
+  for (const level of ticks(low, frame.high, niceStep((frame.high - low) / Math.max(2, (frame.bottom - frame.top) / 32)))) {
     const y = yOf(frame, level);
     context.beginPath();
     context.moveTo(frame.left, y);
@@ -89,19 +91,30 @@ function drawAxes(context, frame, low, high) {
   context.fillText("m", frame.right, frame.bottom + 5);
 }
 
-function drawTrace(context, frame, sonar, ping, beam, store) {
-  const { level } = ping.tables;
+// Levels of a beam as they are shown [dB], NaN without an echo, and the loudest of them.
+function traceOf(sonar, ping, beam, store) {
   const [gain, tvg] = [store.get("gain"), store.get("tvg")];
+  const levels = new Float32Array(ping.bins).fill(NaN);
+  let loudest = -Infinity;
+  for (let bin = 0; bin < ping.bins; ++bin) {
+    const db = levelDb(ping.tables.level[bin * ping.beams + beam]);
+    if (db === null) continue;
+    levels[bin] = db + gain + tvg * Math.log10(Math.max(binRange(sonar, bin), 0.01));
+    loudest = Math.max(loudest, levels[bin]);
+  }
+  return { levels, loudest };
+}
+
+function drawTrace(context, frame, { levels }) {
   // The strongest and the weakest bin of each pixel: no echo is lost between pixels.
+  const bins = levels.length;
   const columns = Math.max(1, Math.round(frame.right - frame.left));
   const strongest = new Float32Array(columns).fill(-1e9);
   const weakest = new Float32Array(columns).fill(1e9);
-  for (let bin = 0; bin < ping.bins; ++bin) {
-    const range = binRange(sonar, bin);
-    const db = levelDb(level[bin * ping.beams + beam]);
-    const shown = db === null ? frame.low : db + gain + tvg * Math.log10(Math.max(range, 0.01));
-    const first = Math.floor((bin / ping.bins) * columns);
-    const last = Math.max(first + 1, Math.floor(((bin + 1) / ping.bins) * columns));
+  for (let bin = 0; bin < bins; ++bin) {
+    const shown = Number.isNaN(levels[bin]) ? frame.low : levels[bin];
+    const first = Math.floor((bin / bins) * columns);
+    const last = Math.max(first + 1, Math.floor(((bin + 1) / bins) * columns));
     for (let i = first; i < last && i < columns; ++i) {
       strongest[i] = Math.max(strongest[i], shown);
       weakest[i] = Math.min(weakest[i], shown);

@@ -4,8 +4,10 @@ import { byId, context2d, fitCanvas, write } from "../dom.js";
 import { drawColourBar } from "../draw/colour_bar.js";
 import { drawGraticule } from "../draw/graticule.js";
 import { makePlan, underPoint } from "../draw/plan.js";
+import { heightAbove } from "../draw/sight.js";
 import { PictureRenderer } from "../draw/renderer.js";
 import { clock } from "../format.js";
+import { poseFigures, poseTexts } from "../pose.js";
 import { productIn } from "../product.js";
 import { binRange, slotAt } from "../sonar.js";
 import { watchGestures } from "./gestures.js";
@@ -64,8 +66,21 @@ export class PictureView {
       this.drawn = performance.now();  // [ms] after the page was asked for
       this.firstDrawn?.();
     }
-    const title = width < 420 ? sonar.name : `${sonar.name}   ${ping ? `ping ${ping.number}   ${clock(ping.time)} s` : ""}`;
-    write(byId("picture-caption"), title);
+    write(byId("picture-caption"), width < 420 || !ping ? sonar.name : this.#caption(sonar, ping));
+  }
+
+  // Above a fan there is room for lines of it; a polar picture reaches into the corners.
+  #caption(sonar, ping) {
+    const { store } = this;
+    const vehicle = ping.vehicle ?? ping.pose;
+    const now = performance.now();
+    // The way down is looked for twice a second: large meshes cost milliseconds.
+    if (!(now - this.lookedDown < 500)) {
+      this.lookedDown = now;
+      this.ground = vehicle.position[2] - (heightAbove(store.get("scene")?.objects ?? [], vehicle.position) ?? Infinity);
+    }
+    const texts = poseTexts(poseFigures(vehicle, store.get("hello"), this.ground));
+    return [`${sonar.name}   ping ${ping.number}   ${clock(ping.time)} s`, ...texts].join(store.get("mode") === "polar" ? "   " : "\n");
   }
 
   drawLines() {

@@ -5,6 +5,8 @@ import { colourTable } from "../draw/colour_maps.js";
 import { makeProgram, openGl, Table } from "../draw/gl.js";
 import { kLevelGlsl, setLevelUniforms } from "../draw/level_shader.js";
 import { bearing, number, ringSpacing, ticks } from "../format.js";
+import { levelDb } from "../link/decode.js";
+import { binRange } from "../sonar.js";
 
 const kRows = 512;
 const kPixels = 3;  // height of a ping in CSS pixels
@@ -70,6 +72,7 @@ export class WaterfallView {
     const sonar = store.get("sonar");
     this.count = 0;
     this.ages = [];
+    this.peaks = [];  // of the rows, with the display's gain by range, newest first [dB]
     this.time = this.between = undefined;
     if (!sonar) return;
     this.group = Math.ceil(sonar.bins / this.limit);
@@ -77,8 +80,7 @@ export class WaterfallView {
     this.levels.fill(this.width, kRows, new Uint16Array(this.width * kRows));
     const beam = store.get("waterfallOf") === "beam";
     const azimuth = sonar.beamAzimuths[Math.min(store.get("beam"), sonar.beams - 1)];
-    const what = sonar.product.waterfall ?? (beam ? `Beam ${store.get("beam")}   ${bearing(azimuth)}` : "Strongest echo");
-    write(byId("waterfall-caption"), what);
+    this.what = sonar.product.waterfall ?? (beam ? `Beam ${store.get("beam")}   ${bearing(azimuth)}` : "Strongest");
     this.redraw();
   }
 
@@ -87,6 +89,9 @@ export class WaterfallView {
     const beam = this.store.get("waterfallOf") === "beam" ? Math.min(this.store.get("beam"), ping.beams - 1) : -1;
     const row = new Uint16Array(this.width);
     const { level } = ping.tables;
+    const tvg = this.store.get("tvg");
+    const sonar = this.store.get("sonar");
+    let peak = -Infinity;
     for (let bin = 0; bin < ping.bins; ++bin) {
       const start = bin * ping.beams;
       let value = 0;
@@ -94,9 +99,11 @@ export class WaterfallView {
       else for (let i = start; i < start + ping.beams; ++i) if (level[i] > value) value = level[i];
       const column = Math.floor(bin / this.group);
       if (value > row[column]) row[column] = value;
+      if (value > 0) peak = Math.max(peak, levelDb(value) + tvg * Math.log10(Math.max(binRange(sonar, bin), 0.01)));
     }
     this.levels.write(0, this.count % kRows, this.width, 1, row);
     ++this.count;
+    this.peaks = [peak, ...this.peaks].slice(0, kRows);
     this.#note(ping.time);
     this.redraw();
   }
@@ -131,6 +138,10 @@ export class WaterfallView {
     gl.uniform1i(at.levels, 0);
     gl.uniform1i(at.colour_map, 1);
     setLevelUniforms(gl, at, store, sonar.min_range, sonar.binLength * this.group);
+    // The strongest of all beams would be brighter than most colours: theirs reach to the loudest that is seen.
+    const most = Math.max(store.get("high"), Math.ceil(Math.max(...this.peaks.slice(0, this.#visible)) + store.get("gain")));
+    gl.uniform1f(at.high, Math.max(most, store.get("low") + 0.1));
+    write(byId("waterfall-caption"), most > store.get("high") ? `${this.what}, to ${number(most)} dB` : this.what);
     gl.uniform1i(at.newest, (this.count - 1 + kRows) % kRows);
     gl.uniform1i(at.rows, Math.min(this.count, kRows));
     gl.uniform1f(at.visible, this.#visible);
