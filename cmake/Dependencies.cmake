@@ -40,7 +40,7 @@ if(INSONIFY_SDFORMAT)
   message(STATUS "Embree ${embree_VERSION}, ${INSONIFY_SDFORMAT} ${${INSONIFY_SDFORMAT}_VERSION}")
 else()
   message(STATUS "Embree ${embree_VERSION}")
-  message(STATUS "Left out: SDF files (they need sdformat 14, 13 or 12; Debian, Ubuntu: libsdformat-dev)")
+  message(STATUS "Left out: SDF files, and with them the shipped scenes (they need sdformat 14, 13 or 12; Debian, Ubuntu: libsdformat-dev)")
 endif()
 
 # GDAL, by which GeoTIFF is read, is opened at the first such file, so only its headers and the name of its library are

@@ -2,8 +2,9 @@
 # runs, what is needed to build against it, and the command line with the scenes. cmake/Package.cmake makes one package of each.
 install(TARGETS insonify EXPORT insonifyTargets
   LIBRARY COMPONENT library NAMELINK_COMPONENT development
-  ARCHIVE COMPONENT development
-  FILE_SET HEADERS COMPONENT development)
+  ARCHIVE COMPONENT development)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/ ${PROJECT_BINARY_DIR}/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+  COMPONENT development FILES_MATCHING PATTERN *.h)
 if(TARGET insonify_sdf)
   install(TARGETS insonify_sdf LIBRARY COMPONENT library NAMELINK_SKIP)
 endif()
@@ -28,7 +29,8 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DAT
 
 if(INSONIFY_BUILD_APPS)
   install(TARGETS insonify_cli COMPONENT tools)
-  install(DIRECTORY ${PROJECT_BINARY_DIR}/share/ DESTINATION ${CMAKE_INSTALL_DATADIR} COMPONENT tools)
+  install(DIRECTORY ${PROJECT_BINARY_DIR}/share/ DESTINATION ${CMAKE_INSTALL_DATADIR} COMPONENT tools
+    REGEX "/share/insonify$" EXCLUDE)  # Links to the sources, for the build tree.
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/share/foxglove DESTINATION ${CMAKE_INSTALL_DATADIR}/insonify COMPONENT tools)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/insonify COMPONENT tools
     PATTERN make EXCLUDE)

@@ -114,6 +114,7 @@ PUBLIC = {
     "scenario.h": "simulator",
     "scenario_requests.h": "simulator",
     "scattering.h": "scene",
+    "scene_files.h": "io",
     "scene_view.h": "view",
     "simulator.h": "simulator",
     "describe.h": "io",

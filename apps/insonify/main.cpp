@@ -31,8 +31,8 @@ int run_program(std::vector<std::string> words) {
   }
   CommandLine program("insonify", "insonify -- what imaging sonars would show of a 3-D scene");
   program.footer(
-      "Start with:  insonify run scenes/sphere.yaml\n"
-      "In a browser: insonify serve scenes/ferry_calibrated.yaml\n"
+      "Start with:  insonify run sphere\n"
+      "In a browser: insonify serve ferry_calibrated\n"
       "Help on one: insonify run --help\n"
       "For debuggers, anywhere: --in-process reads files without insonify-read, which keeps crashes apart");
   add_run(program);
@@ -43,6 +43,7 @@ int run_program(std::vector<std::string> words) {
   add_replay(program);
   add_info(program);
   add_export(program);
+  add_scenes(program);
   add_sonars(program);
   add_describe(program);
   add_compare(program);

@@ -49,6 +49,7 @@
 #include "insonify/scenario.h"
 #include "insonify/scenario_requests.h"
 #include "insonify/scene.h"
+#include "insonify/scene_files.h"
 #include "insonify/scene_view.h"
 #include "insonify/sea_surface.h"
 #include "insonify/settings_table.h"

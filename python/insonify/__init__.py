@@ -48,6 +48,7 @@ from ._insonify import (
     load_trajectory,
     material_library,
     preset_names,
+    scene_names,
     similarity,
     write_png,
 )
@@ -98,6 +99,7 @@ __all__ = [
     "PointTarget",
     "Pose",
     "preset_names",
+    "scene_names",
     "ReceiverConfig",
     "RecordedLayer",
     "RecordedPings",

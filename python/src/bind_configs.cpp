@@ -10,6 +10,7 @@
 #include "insonify/describe.h"
 #include "insonify/files.h"
 #include "insonify/scenario.h"
+#include "insonify/scene_files.h"
 
 namespace insonify::python {
 namespace {
@@ -139,10 +140,10 @@ void bind_configs(py::module_& module) {
   ConfigClass<Motion>(module, "Motion", about("motions"));
   ConfigClass<ViewConfig>(module, "ViewConfig", about("view"));
   ConfigClass<Scenario> scenario(module, "Scenario", about("scenario"));
-  scenario->def_static(
-      "load", &load_wrapped, py::arg("path"), py::arg("settings") = py::tuple(),
-      "Reads a scenario from a YAML file.\n\nsettings: texts \"key=value\" as of `insonify run --set`.\n"
-      "Raises Error with file and line for whatever is wrong.");
+  scenario->def_static("load", &load_wrapped, py::arg("path"), py::arg("settings") = py::tuple(),
+                       "Reads a scenario from a YAML file, or the shipped scene of that name "
+                       "(scene_names()).\n\nsettings: texts \"key=value\" as of `insonify run --set`.\n"
+                       "Raises Error with file and line for whatever is wrong.");
   scenario->def_static("from_text", &parse_wrapped, py::arg("text"), py::arg("folder") = "",
                        py::arg("settings") = py::tuple(),
                        "Reads a scenario from YAML text. Relative paths are from `folder`, else from the current one.");
@@ -165,6 +166,8 @@ void bind_configs(py::module_& module) {
       py::arg("dict"), py::arg("folder") = "",
       "Reads a scenario from nested dicts and lists, with the keys of files. Values may be NumPy's scalars and arrays, "
       "tuples and paths (pathlib). Raises Error with the key of a value that is something else.");
+  module.def("scene_names", &scene_names,
+             "Names of the scenes that come with insonify: Scenario.load() takes them as it takes files.");
   module.def("preset_names", &preset_names, "Names of all presets, those of INSONIFY_PRESETS included.");
   module.def(
       "load_trajectory",

@@ -7,6 +7,7 @@
 
 #include "insonify/error.h"
 #include "insonify/files.h"
+#include "insonify/scene_files.h"
 #include "io/file/input_file.h"
 #include "live/live_state.h"
 
@@ -25,9 +26,10 @@ void refuse(const LiveLoop::Done& done) {
 
 }  // namespace
 
-LiveLoop::State::State(const std::filesystem::path& path, std::span<const std::string> changes,
+LiveLoop::State::State(const std::filesystem::path& given, std::span<const std::string> changes,
                        const LiveOptions& the_options, const Log& log)
     : options(the_options), paused(the_options.paused), builder(the_options.threads) {
+  const std::filesystem::path path = scenario_file(given);
   settings = {.text = read_text_or_pipe(path), .path = path};
   settings.settings.assign(changes.begin(), changes.end());
   settings.followed = options.followed;

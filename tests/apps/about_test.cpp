@@ -22,6 +22,30 @@ TEST_F(CliTest, HelpShowsExamplesAndExitStatus) {
   EXPECT_THAT(outcome.out, HasSubstr("0 done, 1 failed while running or stopped, 2 wrong input"));
 }
 
+TEST_F(CliTest, TheFirstLineOfHelpWorksInAnEmptyFolder) {
+  const std::string help = shell("insonify --help").out;
+  const std::string words = "Start with:  ";
+  const std::size_t start = help.find(words);
+  ASSERT_NE(start, std::string::npos);
+  const std::string line = help.substr(start + words.size(), help.find('\n', start) - start - words.size());
+  EXPECT_EQ(line, "insonify run sphere");
+  const Outcome outcome = shell(line + " --pings 1 --no-pictures -q");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(files("sphere_pings").size(), 1U) << outcome.out;
+}
+
+TEST_F(CliTest, AFileIsRunRatherThanASceneOfItsName) {
+  folder.write("ferry", "");
+  EXPECT_EQ(shell("insonify run ferry").err, "insonify: ferry: the file is empty\n");
+}
+
+TEST_F(CliTest, ScenesAreListedWithWhatTheyShow) {
+  const Outcome outcome = shell("insonify scenes");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.out, ContainsRegex("\nferry +A wrecked ferry, seen by a forward-looking sonar that closes in"));
+  EXPECT_THAT(outcome.out, ContainsRegex("\nferry_calibrated +the same in the calibrated model\n"));
+}
+
 TEST_F(CliTest, SonarsListsEveryModeOfEveryPreset) {
   const Outcome outcome = shell("insonify sonars");
   EXPECT_EQ(outcome.status, 0);

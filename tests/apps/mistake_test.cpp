@@ -28,7 +28,8 @@ TEST_P(MistakeTest, IsOneLineAndAnExitStatus) {
 
 constexpr Mistake kMistakes[] = {
     {"NoCommand", "insonify", 2,
-     "insonify: name a command; the commands are run, serve, emulate, bridge, draw, replay, info, export, sonars, "
+     "insonify: name a command; the commands are run, serve, emulate, bridge, draw, replay, info, export, scenes, "
+     "sonars, "
      "describe, "
      "compare, "
      "bench, version, completion, "
@@ -36,7 +37,7 @@ constexpr Mistake kMistakes[] = {
      "(insonify --help)"},
     {"UnknownCommand", "insonify rnu fan.yaml", 2,
      "insonify: there is no command rnu; the commands are run, serve, emulate, bridge, draw, replay, info, export, "
-     "sonars, "
+     "scenes, sonars, "
      "describe, "
      "compare, bench, version, "
      "completion, "
@@ -45,7 +46,7 @@ constexpr Mistake kMistakes[] = {
     {"UnknownOption", "insonify run fan.yaml --frob", 2, "insonify: not understood: --frob (insonify run --help)"},
     {"UnknownOptionBeforeTheCommand", "insonify --frob", 2,
      "insonify: there is no option --frob; the commands are run, serve, emulate, bridge, draw, replay, info, export, "
-     "sonars, "
+     "scenes, sonars, "
      "describe, "
      "compare, bench, version, "
      "completion, manual (insonify "
@@ -54,6 +55,10 @@ constexpr Mistake kMistakes[] = {
     {"NoScenario", "insonify run", 2, "insonify: SCENARIO is required (insonify run --help)"},
     {"TwoScenarios", "insonify run fan.yaml scan.yaml", 2, "insonify: not understood: scan.yaml (insonify run --help)"},
     {"MissingScenario", "insonify run nowhere.yaml", 2, "insonify: nowhere.yaml: no such file"},
+    {"MissingScene", "insonify run fery", 2,
+     "insonify: fery: no such file, nor a scene that comes with insonify; did you mean ferry?"},
+    {"MissingSceneLikeNone", "insonify serve nowhere", 2,
+     "insonify: nowhere: no such file, nor a scene that comes with insonify (insonify scenes lists them)"},
     {"MeshForAScenario", "insonify run floor.obj", 2,
      "insonify: floor.obj: is a mesh, not a scenario; write a YAML file that says world: floor.obj and lists sonars"},
     {"WrongScenario", "insonify run wrong.yaml", 2,

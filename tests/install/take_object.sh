@@ -12,6 +12,7 @@ for word; do
   previous=$word
 done
 case $object in
+  */shipped_folder.cpp.o) ;;  # A static library knows the source tree.
   *.cpp.o | *.cxx.o)
     if [ -f "$build/$object" ]; then
       echo "$object:" >"$depfile"

@@ -15,7 +15,7 @@ import sys
 # Pages, by the end of their file's name: title, what it is about, names.
 GROUPS = {
     "pings": ("Make pings", "A scenario, the simulator that runs it, and its pings.",
-              ["Simulator", "Scenario", "Scene", "Ping", "PingRequest", "Pose", "Recording", "NO_LABEL", "Error", "Warning"]),
+              ["Simulator", "Scenario", "scene_names", "Scene", "Ping", "PingRequest", "Pose", "Recording", "NO_LABEL", "Error", "Warning"]),
     "recordings": ("Read, export and compare recordings", "Recordings of insonify and files of instruments.",
                    ["open", "RecordedPings", "RecordedLayer", "export", "compare"]),
     "pictures": ("Draw", "Pictures of pings as arrays of pixels.", ["draw_fan", "draw_polar", "fan", "to_db", "write_png"]),

@@ -11,6 +11,7 @@
 #include "base/utf8.h"
 #include "insonify/files.h"
 #include "insonify/scenario_requests.h"
+#include "insonify/scene_files.h"
 #include "io/file/input_file.h"
 #include "io/file/xml_file.h"
 #include "io/scenario/check_effects.h"
@@ -194,7 +195,8 @@ Scenario read_scenario(const std::string& text, const std::filesystem::path& pat
 
 }  // namespace
 
-Scenario load_scenario(const std::filesystem::path& path, std::span<const std::string> settings, const Log& log) {
+Scenario load_scenario(const std::filesystem::path& given, std::span<const std::string> settings, const Log& log) {
+  const std::filesystem::path path = scenario_file(given);
   refuse_worlds(path);  // Before it is read: worlds may be large.
   return load_scenario_text(read_text_or_pipe(path), path, settings, log);
 }

@@ -1,6 +1,5 @@
-// preset_folder.cpp -- folders from the environment, beside the library, and in the source tree.
+// preset_folder.cpp -- folders from the environment, and the shipped one.
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -9,31 +8,11 @@
 
 #include "insonify/error.h"
 #include "io/scenario/preset_file.h"
+#include "io/scenario/shipped_folder.h"
 #include "io/scenario/yaml_value.h"
 
 namespace insonify {
 namespace {
-
-// An installed library is in PREFIX/lib, its presets in PREFIX/share; the relative path is fixed, PREFIX
-// is not. In a build tree there is nothing at that path.
-std::filesystem::path folder_beside_library() {
-  Dl_info library{};
-  if (dladdr(reinterpret_cast<const void*>(&folder_beside_library), &library) == 0 || library.dli_fname == nullptr) {
-    return {};
-  }
-  return std::filesystem::path(library.dli_fname).parent_path() / INSONIFY_PRESETS_FROM_LIBRARY;
-}
-
-std::filesystem::path shipped_folder() {
-  std::error_code ignored;
-  for (const std::filesystem::path& folder :
-       {folder_beside_library(), std::filesystem::path(INSONIFY_SOURCE_PRESETS)}) {
-    if (std::filesystem::is_directory(folder, ignored)) {
-      return std::filesystem::weakly_canonical(folder);
-    }
-  }
-  return INSONIFY_INSTALLED_PRESETS;
-}
 
 // The entries of INSONIFY_PRESETS without empty ones, as in "a::b" or after a final colon.
 std::vector<std::filesystem::path> own_folders() {
@@ -56,7 +35,7 @@ std::vector<std::filesystem::path> own_folders() {
 
 std::vector<std::filesystem::path> preset_folders() {
   std::vector<std::filesystem::path> folders = own_folders();
-  folders.push_back(shipped_folder());
+  folders.push_back(shipped_folder("presets"));
   return folders;
 }
 
