@@ -96,6 +96,12 @@ if(CMAKE_BUILD_TYPE STREQUAL Release AND NOT INSONIFY_SANITIZE)
   insonify_install_test(install_and_use_static -DUNITY=$<BOOL:${CMAKE_UNITY_BUILD}> -DBUILD_DIR=${PROJECT_BINARY_DIR} -DSOURCE_DIR=${PROJECT_SOURCE_DIR})
 endif()
 
+# What puts wheels together; `./dev wheel --test` tries whole ones.
+if(CMAKE_SYSTEM_PROCESSOR STREQUAL x86_64 AND Python3_VERSION VERSION_GREATER_EQUAL 3.11)
+  add_test(NAME wheel_parts COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/install/wheel_test.py)
+  set_tests_properties(wheel_parts PROPERTIES ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
+endif()
+
 # Damaged files of all formats, requests and frames: a few of what `./dev fuzz` tries.
 if(INSONIFY_BUILD_APPS)
   add_test(NAME damaged_inputs
