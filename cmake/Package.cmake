@@ -39,6 +39,7 @@ set(CPACK_COMPONENT_TOOLS_DESCRIPTION "Simulator of imaging sonars: command line
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-insonify)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${library} (= ${PROJECT_VERSION}), ${INSONIFY_PYTHON_DEPENDS}")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS insonify)  # For its scenes.
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS python3-matplotlib)
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Simulator of imaging sonars: Python package\n Pings as NumPy arrays, scenes and scenarios in code, recordings.")
 foreach(bridge ros1 dds gazebo)
