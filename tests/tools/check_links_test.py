@@ -6,7 +6,8 @@ import sys
 import tempfile
 import unittest
 
-CHECKER = pathlib.Path(__file__).resolve().parents[2] / "tools/check_links.py"
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+CHECKER = ROOT / "tools/check_links.py"
 OTHER = """# Other
 
 ## What `it` does, and why
@@ -43,6 +44,11 @@ class CheckLinksTest(unittest.TestCase):
                          (1, "page.md: no.md: there is no such file\npage.md: other.md#why: there is no such heading\n"
                              "page.md: #a: there is no such heading\npage.md: no.png: there is no such file\n"
                              "page.md: other.md#not-a-heading: there is no such heading\n"))
+
+    def test_every_page_is_in_the_navigation_of_the_site(self):
+        navigation = (ROOT / "tools/site/mkdocs.yml").read_text(encoding="utf-8").split()
+        pages = [path.relative_to(ROOT / "docs").as_posix() for path in (ROOT / "docs").rglob("*.md")]
+        self.assertEqual([page for page in pages if page not in navigation], [])
 
 
 if __name__ == "__main__":

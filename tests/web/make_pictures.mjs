@@ -6,10 +6,8 @@ import { execFileSync } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync, statSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
-import puppeteer from "puppeteer-core";
-import { openPage } from "./browser.mjs";
-import { pause, sourceRoot, until } from "./checks.mjs";
-import { startServer } from "./live_server.mjs";
+import { pause, sourceRoot } from "./checks.mjs";
+import { flight, pointAt, visitWith } from "./paused_page.mjs";
 
 const kRoot = sourceRoot();
 const kFerry = path.join(kRoot, "scenes/ferry_calibrated.yaml");
@@ -18,38 +16,10 @@ const kFrames = 44;
 const kTurn = 330;  // pings of a scanning head: most of a turn
 const kPeriod = 0.5;  // between the pings of the flight [s]
 
-// Towards the wreck, then along it with the bow on it: [time, x, y, z, yaw in degrees].
-const kFlight = [[0, -7, 5, 8, -7], [6, 1, 2, 7.4, -2], [12, 6, -4, 7, 14], [17, 12, -8.5, 6.6, 33], [22, 19, -10, 6.4, 58]];
-const flight = kFlight.map(([time, x, y, z, yaw]) => `{time: ${time}, position: [${x}, ${y}, ${z}], orientation_deg: [0, 0, ${yaw}]}`);
-
 const program = path.resolve(process.argv[2] ?? path.join(kRoot, "build/release/insonify"));
 const wanted = process.argv.length > 3 ? process.argv.slice(3) : ["png", "gif"];
+const visit = (...where) => visitWith(program, ...where);
 const scratch = mkdtempSync(path.join(tmpdir(), "insonify-pictures-"));
-
-/** A page on a paused server; `next()` makes a ping and waits until it is drawn. */
-async function visit(scenario, options, look, command) {
-  const server = await startServer(program, scenario, ["--paused", "--page", path.join(kRoot, "web"), ...options], command);
-  const { browser, page } = await openPage(puppeteer, look);
-  await page.goto(server.address);
-  await until(() => page.evaluate(() => globalThis.insonify?.store.get("link").state === "open"), "a connection", 30);
-  const numberOf = () => page.evaluate(() => insonify.store.get("shown")?.number ?? -1);
-  const drawn = () => page.evaluate(() => new Promise((done) => setTimeout(() => requestAnimationFrame(() => requestAnimationFrame(done)), 80)));
-  return {
-    page,
-    set: (values) => page.evaluate((each) => insonify.store.set(each), values),
-    drawn,
-    async next() {
-      const before = await numberOf();
-      await page.evaluate(() => insonify.session.request({ op: "step" }));
-      await until(async () => (await numberOf()) > before, "the next ping", 30);
-      await drawn();
-    },
-    async end() {
-      await browser.close();
-      await server.stop();
-    },
-  };
-}
 
 /** A PNG of 256 colours, which is a third of the size. */
 async function keep(view, name) {
@@ -61,13 +31,6 @@ async function keep(view, name) {
   execFileSync("ffmpeg", ["-y", "-loglevel", "error", "-i", raw, "-vf", "split[a][b];[a]palettegen=max_colors=255[p];[b][p]paletteuse=dither=none", file]);
   console.log(`${file}: ${Math.round(statSync(file).size / 1000)} kB`);
 }
-
-/** Where a range and an azimuth [rad, positive to port] are on the screen. */
-const pointAt = async (view, range, azimuth) => view.page.mouse.move(...(await view.page.evaluate((r, a) => {
-  const box = document.getElementById("picture-stage").getBoundingClientRect();
-  const [x, y] = insonify.picture.plan.place(r, a);
-  return [box.left + x, box.top + y];
-}, range, azimuth)));
 
 async function makePngs() {
   let view = await visit(kFerry, ["--set", "ground_truth=full"], {});

@@ -103,6 +103,16 @@ def references(build, doxygen):
     (ROOT / "build/site/mkdocs.yml").write_text(settings, encoding="utf-8")
 
 
+def show_film():
+    """Puts the film on the first page, in place of the moving picture, if ./dev pictures film has made one."""
+    film = ROOT / "build/film/film.mp4"
+    if film.is_file():
+        shutil.copyfile(film, PAGES / "images/film.mp4")
+        page = PAGES / "index.md"
+        shown = '<video class="film" controls preload="metadata" poster="images/viewer_dark.png" src="images/film.mp4"></video>'
+        page.write_text(re.sub(r"!\[[^\]]*\]\(images/viewer.gif\)", shown, page.read_text(encoding="utf-8")), encoding="utf-8")
+
+
 class Links(html.parser.HTMLParser):
     """Anchors and links of a page."""
 
@@ -139,6 +149,7 @@ def main():
     parser.add_argument("--xml", required=True, type=pathlib.Path, help="folder of Doxygen's XML of the public headers")
     arguments = parser.parse_args()
     gather()
+    show_film()
     references(arguments.build, arguments.xml)
     done = subprocess.run([sys.executable, "-m", "mkdocs", "build", "--quiet", "--strict", "-f", ROOT / "build/site/mkdocs.yml"], check=False)
     dead = list(dead_links()) if done.returncode == 0 else []

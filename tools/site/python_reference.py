@@ -94,6 +94,7 @@ def signature(node, name):
     returned = f" -> {ast.unparse(node.returns)}" if node.returns and name[0].islower() else ""
     text = f"{name}({arguments}){returned}".replace("npt.NDArray[np.", "ndarray[").replace("npt.NDArray[Any]", "ndarray")
     text = text.replace("_PoseLike", "PoseLike").replace("_Path", "Path").replace("_Twist", "Twist").replace("_Movable", "Movable")
+    text = text.replace("_Values", "float | ndarray")
     if len(text) > 100:
         text = re.sub(r", (?=\*?\*?\w+:|\*,)", ",\n    ", text)
     return f"```python\n{text}\n```"
