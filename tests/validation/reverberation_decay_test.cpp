@@ -3,6 +3,8 @@
 // After many diffuse reflections the energy in a space with walls of reflectance R2 decays as e^(-rate path), and the
 // level of its reverberation by 20 / ln 10 x rate [dB per metre of range], range being half of the path.
 
+#include <array>
+#include <map>
 #include <numbers>
 
 #include "validation/walk_scene.h"
@@ -79,41 +81,62 @@ Exchange exchange_between(const Patch& from, const Patch& to) {
   return exchange;
 }
 
-// Rate of decay in a box with walls that scatter after Lambert, from the exchange of sound between patches: the rate at
-// which the largest eigenvalue of R2 (share of the sound of i that j gets) e^(rate l_ij) is 1. No random numbers.
-// @param open  Number of a face that is not there; -1 for none.
-double rate_in_box(const Vec3& size, double reflectance, int open = -1) {
-  const std::vector<Patch> patches = patches_of_box(size, 7);
+/// Exchange between the patches of a box, [from, to].
+struct BoxExchange {
+  std::vector<Patch> patches;
+  Eigen::MatrixXd share, length;
+};
+
+BoxExchange exchange_in_box(const Vec3& size) {
+  BoxExchange box{patches_of_box(size, 7), {}, {}};
+  const std::vector<Patch>& patches = box.patches;
+  const auto area_of = [](const Patch& patch) { return patch.along.norm() * patch.across.norm(); };
   const auto count = static_cast<Eigen::Index>(patches.size());
-  Eigen::MatrixXd share = Eigen::MatrixXd::Zero(count, count), length = share;
-  double area = 0, path = 0;
+  box.share = box.length = Eigen::MatrixXd::Zero(count, count);
   for (Eigen::Index i = 0; i < count; ++i) {
-    for (Eigen::Index j = 0; j < count; ++j) {
+    for (Eigen::Index j = 0; j < i; ++j) {
       if (patches[i].face != patches[j].face) {
         const Exchange exchange = exchange_between(patches[i], patches[j]);
-        length(i, j) = exchange.length;
-        share(i, j) = exchange.share;
+        box.length(i, j) = box.length(j, i) = exchange.length;
+        box.share(i, j) = exchange.share;
+        box.share(j, i) = exchange.share * area_of(patches[i]) / area_of(patches[j]);  // Reciprocity.
       }
     }
-    share.row(i) /= share.row(i).sum();  // All of the sound of a patch meets a wall.
-    const double own = patches[i].along.norm() * patches[i].across.norm();
-    area += own;
-    path += own * share.row(i).dot(length.row(i));
+  }
+  double area = 0, path = 0;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    box.share.row(i) /= box.share.row(i).sum();  // All of the sound of a patch meets a wall.
+    area += area_of(patches[i]);
+    path += area_of(patches[i]) * box.share.row(i).dot(box.length.row(i));
   }
   // The mean free path is 4 V / S; here it comes out some 2 % short, since patches that meet at an edge exchange too
   // much.
   const double mean_path = 4 * size.prod() / area;
   EXPECT_NEAR(path / area, mean_path, 0.03 * mean_path);
-  length *= mean_path / (path / area);
+  box.length *= mean_path / (path / area);
+  return box;
+}
+
+// Rate of decay in a box with walls that scatter after Lambert, from the exchange of sound between patches: the rate at
+// which the largest eigenvalue of R2 (share of the sound of i that j gets) e^(rate l_ij) is 1. No random numbers.
+// @param open  Number of a face that is not there; -1 for none.
+double rate_in_box(const Vec3& size, double reflectance, int open = -1) {
+  static std::map<std::array<double, 3>, BoxExchange> known;  // Several tests have the same box.
+  BoxExchange& box = known[{size.x(), size.y(), size.z()}];
+  if (box.patches.empty()) {
+    box = exchange_in_box(size);
+  }
+  Eigen::MatrixXd share = box.share;
+  const Eigen::Index count = share.rows();
   for (Eigen::Index i = 0; i < count; ++i) {
-    if (patches[i].face == open) {
+    if (box.patches[i].face == open) {
       share.row(i).setZero();
     }
   }
   double low = 0, high = 20 / size.norm();
-  for (int i = 0; i < 30; ++i) {
+  for (int i = 0; i < 20; ++i) {  // To a millionth of the first interval.
     const double rate = 0.5 * (low + high);
-    const Eigen::MatrixXd exchange = reflectance * (share.array() * (rate * length.array()).exp()).matrix();
+    const Eigen::MatrixXd exchange = reflectance * (share.array() * (rate * box.length.array()).exp()).matrix();
     Eigen::VectorXd field = Eigen::VectorXd::Ones(count);
     double eigenvalue = 0;
     for (int step = 0; step < 30; ++step) {

@@ -40,7 +40,7 @@ Material shiny(double slope, double lambert_db = -200) {
 // Echo, by quadrature, of the side of a cylinder whose axis passes through the axis of the sonar at `distance` and is
 // tilted by `tilt` towards it, and of the end that faces the sonar.
 double cylinder_intensity(double radius, double length, double distance, double tilt, double slope, double lambert_db) {
-  constexpr int kAround = 4000, kAlong = 2000;
+  constexpr int kAround = 400, kAlong = 200;  // Ten times as many each change the level by less than 1e-4 dB.
   const Vec3 axis(-std::sin(tilt), 0, std::cos(tilt)), out(-std::cos(tilt), 0, -std::sin(tilt)), side(0, 1, 0);
   double sum = 0;
   for (int i = 0; i < kAround; ++i) {

@@ -220,6 +220,21 @@ TEST_P(WalkMirrorTest, MirroredSoundIsCountedWhereSecondaryEchoesLeaveItOut) {
   }
   expect_mean(two, expected_two, 0.01);
 
+  // What patch j of the other plate, met from patch i of a plate, scatters towards that plate's patch k, [plate][j](i,
+  // k).
+  std::array<std::array<Eigen::MatrixXd, kEach>, 2> scattered;
+  for (int plate = 0; plate < 2; ++plate) {
+    for (int j = 0; j < kEach; ++j) {
+      const Patch& here = patches[(1 - plate) * kEach + j];
+      scattered[plate][j].resize(kEach, kEach);
+      for (int k = 0; k < kEach; ++k) {
+        const Vec3& next = patches[plate * kEach + k].place;
+        for (int i = 0; i < kEach; ++i) {
+          scattered[plate][j](i, k) = lambert(here, next) + lobe(here, patches[plate * kEach + i].place, next);
+        }
+      }
+    }
+  }
   double expected_more = 0;
   for (int order = 3; order < 6; ++order) {
     std::array<Eigen::MatrixXd, 2> after[2];
@@ -231,13 +246,10 @@ TEST_P(WalkMirrorTest, MirroredSoundIsCountedWhereSecondaryEchoesLeaveItOut) {
         const Patch& here = patches[(1 - plate) * kEach + j];
         for (int k = 0; k < kEach; ++k) {
           const Patch& next = patches[plate * kEach + k];
-          const double met = arriving(next, here.place), diffusely = lambert(here, next.place);
+          const double met = arriving(next, here.place);
           const double ends_diffuse = lambert(next, sonar), ends_mirrored = lobe(next, here.place, sonar);
           for (int kind = 0; kind < 2; ++kind) {
-            double sum = 0;
-            for (int i = 0; i < kEach; ++i) {
-              sum += going[plate][kind](i, j) * (diffusely + lobe(here, patches[plate * kEach + i].place, next.place));
-            }
+            const double sum = going[plate][kind].col(j).dot(scattered[plate][j].col(k));
             after[1 - plate][kind](j, k) = met * sum;
             const double left_out = order == 3 && kind == 1 ? coherent(next, here.place) : 0;
             expected_more += met * sum * (ends_diffuse + (1 - left_out) * ends_mirrored) * back(next);
