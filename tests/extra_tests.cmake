@@ -137,7 +137,7 @@ if(BUILD_SHARED_LIBS)
   endforeach()
 endif()
 add_test(NAME documentation_links
-  COMMAND sh -c "$1 tools/check_links.py README.md CONTRIBUTING.md SECURITY.md CHANGELOG.md bench/README.md docs && $1 tests/tools/check_links_test.py"
+  COMMAND sh -c "$1 tools/check_links.py README.md CONTRIBUTING.md SECURITY.md CHANGELOG.md bench/README.md docs && $1 tests/tools/check_links_test.py && $1 tests/tools/make_site_test.py"
           documentation_links ${Python3_EXECUTABLE}
   WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
 add_test(NAME run_doc_blocks

@@ -145,8 +145,8 @@ class Pages:
         return lines + self.functions(kinds["function"], here, level)
 
     def page(self, header):
-        named = re.match(r"// \S+ -- (.*)", (HEADERS / header).read_text(encoding="utf-8"))
-        lines = [f"# {header}", "", escaped(named[1][0].upper() + named[1][1:]) if named else "", "",
+        about = purpose(header)
+        lines = [f"# {header}", "", about[:1].upper() + about[1:], "",
                  f"```cpp\n#include <{header}>\n```", ""]
         classes = [c for c in self.compounds if c.get("kind") in ("struct", "class") and self.places.get(c.get("id"), ("",))[0] == header]
         for compound in sorted(classes, key=lambda c: int(c.find("location").get("line"))):
@@ -157,7 +157,14 @@ class Pages:
         free = [m for c in self.compounds if c.get("kind") == "namespace" and c.findtext("compoundname").startswith("insonify")
                 for m in c.iter("memberdef") if self.places.get(m.get("id"), ("",))[0] == header]
         lines += self.members(sorted(free, key=lambda m: int(m.find("location").get("line"))), header, 2)
-        return "\n".join(lines) + "\n", escaped(named[1]) if named else ""
+        return "\n".join(lines) + "\n", about
+
+
+def purpose(header):
+    """What the comment at the head of a file says that it is for."""
+    named = re.match(r"// \S+ -- ((?:.*\n//)*.*)", (HEADERS / header).read_text(encoding="utf-8"))
+    words = " ".join((named[1] if named else "").replace("\n//", " ").split())
+    return re.sub(r"([*_\[\]|])", r"\\\1", html.escape(re.split(r"(?<=[.])\s+(?=[A-Z])", words)[0], quote=False))
 
 
 def is_special(member):

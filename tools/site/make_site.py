@@ -29,7 +29,7 @@ PROJECT = {"CHANGELOG.md": "project/changelog.md", "CONTRIBUTING.md": "project/c
            "SECURITY.md": "project/security.md", "bench/README.md": "project/benchmarks.md", "README.md": "index.md"}
 LINK = re.compile(r"(\]\(|\]: |src=\"|href=\")([^)\s\"]+)")
 FENCED = re.compile(r"(^ *(?P<ticks>```+).*?^ *(?P=ticks) *$)", re.MULTILINE | re.DOTALL)
-SITE_ONLY = re.compile(r"<!-- site: (.*?) -->", re.DOTALL)
+SITE_ONLY = re.compile(r"(`+[^`]*`+)|<!-- site: (.*?) -->", re.DOTALL)
 COMMENT = re.compile(r"^ *<!--.*?-->\n?", re.MULTILINE | re.DOTALL)
 
 
@@ -49,8 +49,8 @@ def place_of(path):
     return target.relative_to(PAGES).as_posix()
 
 
-def page(path):
-    """A page's text as the site has it."""
+def page(path, text):
+    """The text of a page as the site has it."""
     where = pathlib.PurePosixPath(PROJECT.get(path.relative_to(ROOT).as_posix(), path.relative_to(ROOT).as_posix().removeprefix("docs/")))
 
     def moved(link):
@@ -62,11 +62,12 @@ def page(path):
             return link[0]  # A page that is made for the site; mkdocs says if it is not there.
         return link[1] + os.path.relpath(place_of(file), where.parent) + ("#" + anchor if anchor else "")
 
-    parts = FENCED.split(SITE_ONLY.sub(r"\1", path.read_text(encoding="utf-8")))
+    parts = FENCED.split(text)
     # Groups of the pattern: text, block, ticks, text ...
-    texts = [LINK.sub(moved, COMMENT.sub("\n", part)) for part in parts[0::3]]
+    shown = [SITE_ONLY.sub(lambda found: found[1] or found[2], part) for part in parts[0::3]]
+    texts = [LINK.sub(moved, COMMENT.sub("\n", part)) for part in shown]
     blocks = parts[1::3] + [""]
-    return "".join(text + block for text, block in zip(texts, blocks, strict=True))
+    return "".join(part + block for part, block in zip(texts, blocks, strict=True))
 
 
 def gather():
@@ -76,7 +77,7 @@ def gather():
     for path in [*(ROOT / "docs").rglob("*.md"), *(ROOT / name for name in PROJECT if name != "README.md")]:
         target = PAGES / place_of(path)
         target.parent.mkdir(parents=True, exist_ok=True)
-        target.write_text(page(path), encoding="utf-8")
+        target.write_text(page(path, path.read_text(encoding="utf-8")), encoding="utf-8")
     assets = PAGES / "assets"
     (assets / "katex").mkdir(parents=True)
     for name in ("site.css", "site.js"):
