@@ -13,9 +13,11 @@ import { clearPoint, heightAbove } from "../page/js/draw/sight.js";
 import { bearing } from "../page/js/format.js";
 import { Frames } from "../page/js/frames.js";
 import { quaternionOf, radians } from "../page/js/geometry.js";
+import { csvOf, freeName, geoJsonOf, rulerFigures, rulerText, seenAt, worldPoint } from "../page/js/measure.js";
 import { plainError } from "../page/js/panels/setting_names.js";
 import { poseFigures, poseTexts } from "../page/js/pose.js";
-import { Rates } from "../page/js/rates.js";
+import { Averager } from "../page/js/averaging.js";
+import { Rates, slowText } from "../page/js/rates.js";
 import { describeSonar } from "../page/js/sonar.js";
 
 Object.assign(globalThis, { document: { documentElement: {} }, getComputedStyle: () => ({ getPropertyValue: () => "#808080" }) });
@@ -190,6 +192,56 @@ const failed = await runChecks({
     assert.deepEqual(of(90, -7.5, true, -12), ["heading 000°   pitch 5°   roll 0°", "depth 10.0 m   altitude 4.5 m"]);
     assert.deepEqual(of(-100, -7.5, false, -Infinity), ["heading 190°   pitch 5°   roll 0°", "z \u22127.5 m"]);
     assert.equal(of(0.4, 0, false)[0].slice(0, 12), "heading 090°");
+  },
+
+  // A sonar 10 m above flat ground that looks along y: north, 000. What is 20 m away on the ground is sqrt(300) = 17.32 m ahead. A
+  // pole's top at 15 m whose shadow ends at 20 m is 10 (1 - 15 / 20) = 2.5 m high.
+  async "a point of the picture lies on the ground, is seen where it was, and a shadow gives a height"() {
+    const sonar = sonarOf(64, 120, { elevation_aperture: 90 });
+    const pose = { position: [2, 3, 10], orientation: quaternionOf([0, 0, radians(90)]) };
+    const close = (found, expected) => found.forEach((each, i) => assert.ok(Math.abs(each - expected[i]) < 1e-6, `${found} is not ${expected}`));
+    const end = worldPoint(sonar, pose, { range: 20, azimuth: 0 }, NaN, 0);
+    close(end, [2, 3 + Math.sqrt(300), 0]);
+    close(worldPoint(sonar, pose, { range: 20, azimuth: 0 }, 0, 0), [2, 23, 10]);
+    close(worldPoint(sonar, pose, { range: 5, azimuth: 0 }, undefined, 0), [2, 8, 10]);  // Too near for the ground.
+    const seen = seenAt(pose, worldPoint(sonar, pose, { range: 17, azimuth: 0.4 }, undefined, 0));
+    close([seen.range], [17]);
+    const top = worldPoint(sonar, pose, { range: 15, azimuth: 0 }, undefined, 0);
+    const figures = rulerFigures(pose, top, end, 10);
+    close([figures.rise, figures.heading], [2.5, 0]);
+    close([figures.length], [Math.sqrt(300) - Math.sqrt(125)]);
+    assert.equal(rulerText(figures), "6.14 m   heading 000°   height by shadow 2.50 m");
+    assert.equal(rulerFigures(pose, top, worldPoint(sonar, pose, { range: 20, azimuth: 0.2 }, undefined, 0), 10).rise, null);
+    assert.equal(rulerFigures(pose, top, end, NaN).rise, null);
+  },
+
+  async "markers have names of their own, and are written as CSV and GeoJSON"() {
+    const marker = { name: 'wreck, "stern"', position: [1, -2.5, 3.25], time: 4.5, sonar: "fls", ping: 9 };
+    assert.equal(freeName([{ name: "M1" }, { name: "M3" }]), "M2");
+    assert.equal(csvOf([marker]), 'name,x,y,z,time,sonar,ping\r\n"wreck, ""stern""",1.000,-2.500,3.250,4.500,fls,9\r\n');
+    const { features } = JSON.parse(geoJsonOf([marker]));
+    assert.deepEqual(features, [{ type: "Feature", geometry: { type: "Point", coordinates: [1, -2.5, 3.25] }, properties: { name: 'wreck, "stern"', time: 4.5, sonar: "fls", ping: 9 } }]);
+  },
+
+  // Levels of -40, -40 and -30 dB: 1e-4, 1e-4, 1e-3; the means are 1e-4, 1e-4 and of the last two 5.5e-4, -32.60 dB. Without an echo in
+  // the second ping a level fades by 1.5 dB.
+  async "levels are averaged as intensities, and those that persist fade"() {
+    const ping = (number, ...levels) => ({ sonar: "s", change: 0, beams: levels.length, bins: 1, number, tables: { level: Uint16Array.from(levels, (db) => (db === null ? 0 : Math.round(100 * (db + 400)))) } });
+    const shown = (taken) => [...taken.tables.level].map((value) => (value ? value / 100 - 400 : null)).map((db) => db && Math.round(db * 100) / 100);
+    const averager = new Averager();
+    const means = [ping(0, -40, null), ping(1, -40, null), ping(2, -30, -50), ping(2, -30, -50)].map((each) => shown(averager.take(each, "2")));
+    assert.deepEqual(means, [[-40, null], [-40, null], [-32.6, -53.01], [-32.6, -53.01]]);
+    assert.deepEqual(shown(averager.take(ping(0, -70, -70), "2")), [-70, -70], "a run that begins again");
+    assert.deepEqual([ping(0, -40, -60), ping(1, null, -50), ping(2, -42.5, -50)].map((each) => shown(averager.take(each, "persist"))), [[-40, -60], [-41.5, -50], [-42.5, -50]]);
+    const each = ping(3, -10, -20);
+    assert.equal(averager.take(each, "none"), each);
+  },
+
+  async "a machine that does not keep up is named, and one that is held back on purpose is not"() {
+    const status = { paused: false, speed: 1, ms_per_ping: 175 };
+    assert.equal(slowText(status, [{ period: 0.1 }], 0.57), "This machine makes 5.7 of the 10.0 pings due a second, so time runs at 0.57 of real time. A longer ping period, fewer bins or a shorter range help.");
+    assert.equal(slowText({ ...status, ms_per_ping: 20 }, [{ period: 0.1 }], 0.5), null);
+    for (const other of [slowText(status, [{ period: 0.2 }], 0.98), slowText({ ...status, paused: true }, [{ period: 0.1 }], 0.57), slowText(status, [{ period: 0.1 }], null)]) assert.equal(other, null);
   },
 
   async "errors of settings speak of the controls, not of the command line"() {

@@ -20,7 +20,7 @@ export class MockServer {
   reset() {
     const { rate } = this;
     this.token = undefined;
-    Object.assign(this, { watched: "fls", tables: ["level"], number: 0, headAngle: 0 });
+    Object.assign(this, { watched: "fls", number: 0, headAngle: 0 });
     this.sonars = makeSonars();
     this.vehicle = { position: [0, 0, 0], yaw: 0 };
     this.fly = { linear: [0, 0, 0], angular: [0, 0, 0] };
@@ -72,7 +72,7 @@ export class MockServer {
 
   hello() {
     return {
-      op: "hello", version: "0.0.0", scenario_name: "mock", record_formats: [["h5", "HDF5"], ["mcap", "MCAP"]], recording: this.recording, sonars: this.sonars, objects: [kHostile, "wall", "bed"], materials: ["steel", "concrete", "sand"],
+      op: "hello", version: "0.0.0", scenario_name: "mock", record_formats: [["h5", "HDF5"], ["mcap", "MCAP"]], recording: this.recording, presets: ["oculus", "gemini"], sonars: this.sonars, objects: [kHostile, "wall", "bed"], materials: ["steel", "concrete", "sand"],
       object_materials: this.materials, trajectory: [[-8, 0, 0], [0, 0, 0], [8, 2, 0]], keys: this.keys,
     };
   }
@@ -82,14 +82,18 @@ export class MockServer {
     socket.send(JSON.stringify(this.hello()));
     socket.send(makeScene());
     socket.send(JSON.stringify(this.state));
-    socket.on("message", (data) => this.#answer(JSON.parse(data)));
+    socket.watch = { sonar: this.watched, tables: ["level"] };
+    socket.on("message", (data) => this.#answer(JSON.parse(data), socket));
     if (this.prepared) socket.send(this.prepared);
   }
 
-  #answer(request) {
+  #answer(request, socket) {
     this.requests.push(request);
     const { op } = request;
-    if (op === "watch") [this.watched, this.tables] = [request.sonar, request.tables ?? ["level"]];
+    if (op === "watch") {
+      socket.watch = { sonar: request.sonar, tables: request.tables ?? ["level"] };
+      this.watched = request.sonar;
+    }
     if (op === "pause") this.state.paused = request.on;
     if (op === "follow") this.state.follow = request.on;
     if (op === "speed") this.state.speed = request.factor;
@@ -102,6 +106,7 @@ export class MockServer {
     if (op === "step" && request.back) this.number -= 2;
     if (op === "step" || op === "seek") this.#ping();
     if (op === "record") this.state.recording = request.on ? `out/live.${request.format}` : null;
+    if (op === "mark") this.say({ op: "markers", markers: request.markers });
     if (op === "save") this.say({ op: "saved", yaml: "world: none\n", path: null });
     if (op === "material") this.#setMaterial(request);
     if (op === "set") this.#set(request.settings);
@@ -117,6 +122,7 @@ export class MockServer {
     for (const setting of settings) {
       const [key, text] = setting.split(/=(.*)/s);
       const entry = this.keys[key];
+      if (!entry) continue;
       const value = text === "true" ? true : text === "false" ? false : entry.kind === "part" ? text !== "null" : text !== "" && Number.isFinite(Number(text)) ? Number(text) : text;
       if (entry.most !== undefined && !(value > entry.least && value <= entry.most)) {
         this.say({ op: "error", of: "set", text: `--set: ${key} = ${text} must be greater than ${entry.least} and at most ${entry.most}` });
@@ -128,6 +134,10 @@ export class MockServer {
     }
     this.number = 0;
     this.say(this.hello());
+  }
+
+  #sonar(watch) {
+    return this.sonars.find(({ name }) => name === watch.sonar);
   }
 
   #tick() {
@@ -143,17 +153,20 @@ export class MockServer {
 
   #ping() {
     if (this.sockets.clients.size === 0) return;
-    const sonar = this.sonars.find(({ name }) => name === this.watched);
-    if (sonar.type === "msis") this.headAngle += (sonar.step * Math.PI) / 180;
-    const headAngle = sonar.type === "msis" ? Math.atan2(Math.sin(this.headAngle), Math.cos(this.headAngle)) : 0;
+    const sockets = [...this.sockets.clients].filter(({ watch }) => watch);
+    if (sockets.some(({ watch }) => this.#sonar(watch).type === "msis")) this.headAngle += (this.sonars[1].step * Math.PI) / 180;
     const lacks = this.keys.model.value === "paper" ? ["shadow", "multipath"] : [];
-    const tables = this.tables.filter((table) => !lacks.includes(table));
-    const ping = makePing(sonar, this.number++, this.vehicle, headAngle, tables, this.noise, this.made);
-    for (const socket of this.sockets.clients) {
+    for (const socket of sockets) {
+      const { watch } = socket;
+      const sonar = this.#sonar(watch);
+      const headAngle = sonar.type === "msis" ? Math.atan2(Math.sin(this.headAngle), Math.cos(this.headAngle)) : 0;
+      const tables = watch.tables.filter((table) => !lacks.includes(table));
+      const ping = makePing(sonar, this.number, this.vehicle, headAngle, tables, this.noise, this.made);
       if (socket.bufferedAmount === 0) socket.send(ping);  // A slow page gets fewer, as of the real server.
     }
+    ++this.number;
     this.state.pings_since_change = this.number;
-    this.state.time = (this.number - 1) * sonar.period;
+    this.state.time = (this.number - 1) * this.#sonar({ sonar: this.watched }).period;
   }
 }
 

@@ -125,9 +125,9 @@ const failed = await runChecks({
     assert.ok(Math.abs(-31.25 + Number((await text("read-level")).slice(1, -3))) < 0.051, await text("read-level"));
     assert.equal(await text("read-beam"), "78");
     assert.equal(await text("read-bin"), "102");
+    await until(async () => (await text("read-object")) !== "\u2013", "a ping with labels");
     const world = (await text("read-world")).replaceAll("\u2212", "-").split(",").map(Number);
     world.forEach((each, i) => assert.ok(Math.abs(each - kPoint.position[i]) < 0.08, `world ${world}`));
-    await until(async () => (await text("read-object")) !== "\u2013", "a ping with labels");
     assert.equal(await text("read-object"), kHostile);
     assert.equal(await text("read-material"), "steel");
   },
@@ -512,6 +512,32 @@ const failed = await runChecks({
     await until(async () => (await get("mode")) === "fan", "the fan");
   },
 
+  async "a second sonar is shown beside the first, and its connection ends with it"() {
+    await choose("beside", "head");
+    await until(() => page.$eval("#beside-empty", (node) => node.hidden && node.offsetParent === null), "its picture");
+    await until(() => page.$eval("#beside-picture-caption", (node) => /^head/.test(node.textContent)), "its name");
+    const [left, right] = await page.evaluate(() => ["picture-stage", "beside-picture-stage"].map((id) => document.getElementById(id).getBoundingClientRect().toJSON()));
+    assert.ok(right.left >= left.right && Math.abs(right.width - left.width) < 3 && left.width > 350, `${left.width} and ${right.width}`);
+    assert.equal((await get("sonar")).name, "fls");
+    assert.equal(server.sockets.clients.size, 2);
+    await choose("beside", "");
+    await until(() => server.sockets.clients.size === 1, "one connection");
+    assert.equal(await page.$eval("#view-beside", (node) => node.hidden), true);
+  },
+
+  async "a preset and a longer range are asked for by list and key"() {
+    server.requests.length = 0;
+    await choose("preset", "gemini");
+    assert.deepEqual((await told("set")).settings, ["sonars[0].preset=gemini"]);
+    server.requests.length = 0;
+    await page.evaluate(() => document.activeElement?.blur());
+    await page.keyboard.press(".");
+    assert.deepEqual((await told("set")).settings, ["sonars[0].max_range=40"]);
+    await until(async () => (await get("sonar")).max_range === 40, "the longer range");
+    await page.keyboard.press(",");
+    await told("set", ({ settings }) => settings[0] === "sonars[0].max_range=30");
+  },
+
   async "a very narrow sonar begins as polar picture, and the next one as before"() {
     const narrow = { ...server.sonars[0], name: "side", beams: 1, azimuths: [0], azimuth_aperture: 1 };
     server.sonars.push(narrow);
@@ -677,16 +703,56 @@ const failed = await runChecks({
     await until(async () => (await ping()).number !== number, "more pings");
   },
 
-  async "a screenshot is a picture of the large view with its caption"() {
-    const size = await page.evaluate(async () => {
-      const { composeScreenshot } = await import("./js/panels/screenshot.js");
-      const made = composeScreenshot(insonify.store, () => {});
-      const stage = document.getElementById("picture-stage");
-      return [made.width / stage.clientWidth, made.height / stage.clientHeight].map((part) => part / devicePixelRatio);
+  async "a snapshot has a pixel for each bin at least, a scale, and lines of pose and settings"() {
+    const made = await page.evaluate(async () => {
+      const { captionOf, composeSnapshot } = await import("./js/panels/snapshot.js");
+      const { store, picture } = insonify;
+      const canvas = composeSnapshot(store, picture, () => {});
+      const { plan } = picture;
+      const row = canvas.getContext("2d").getImageData(0, canvas.height - 40, canvas.width, 30).data;
+      return { scale: canvas.width / plan.width, width: canvas.width, foot: canvas.height / (canvas.width / plan.width) - plan.height, shades: new Set(row).size, needed: picture.pixelsNeeded, lines: captionOf(store) };
     });
-    assert.ok(size.every((part) => part > 0.99 && part < 1.5), `${size} times the view`);
+    assert.ok(made.scale >= Math.min(2, made.needed) && made.width <= 4096, JSON.stringify(made));
+    assert.ok(made.foot >= 3 * 18 && made.shades > 8, "lines below the picture");
+    assert.match(made.lines[0], /^insonify   0\.0\.0   mock   fls   ping \d+, /);
+    assert.match(made.lines[1], /m   heading \d{3}°   pitch 0°   roll 0°   z /);
+    assert.match(made.lines[2], /^0\.2 to 30\.0 m   \d+ bins x 128 beams   .* dB re source at 1 m.*   model calibrated/);
     await press("shot");
-    await until(async () => /^Screenshot insonify_fls_\d+\.png$/.test(await text("note")), "the note");
+    await until(async () => /^Snapshot insonify_fls_\d+\.png, \d+ x \d+$/.test(await text("note")), "the note");
+  },
+
+  async "a video of the picture is recorded and kept"() {
+    await press("video");
+    await until(async () => /^0:00\.[2-9]|0:0[1-9]/.test(await text("video-text")), "its time");
+    const { number } = await ping();
+    await until(async () => (await ping()).number > number, "a picture more");
+    await press("video");
+    await until(async () => /^Video insonify_fls\.webm, 0:0/.test(await text("note")), "the note");
+    assert.equal(await text("video-text"), "Video");
+  },
+
+  async "the ruler measures between two clicks, and markers are told to the server and listed"() {
+    await press("tool-ruler");
+    for (const range of [10, 15]) await page.mouse.click(...(await placeOf(range, 0.2)));
+    const { from, to } = await until(async () => (await get("ruler"))?.to && get("ruler"), "two points");
+    assert.ok(Math.abs(Math.hypot(...from.map((each, i) => each - to[i])) - 5) < 0.6, `${from} to ${to}`);
+    await press("tool-marker");
+    assert.equal(await get("ruler"), null);
+    server.requests.length = 0;
+    await page.mouse.click(...(await placeOf(12, -0.3)));
+    const { markers: [marker] } = await told("mark");
+    assert.deepEqual([marker.name, marker.sonar], ["M1", "fls"]);
+    await press("tool-marker");
+    await press("tab-scene");
+    await page.$eval("#markers input", (node) => {
+      node.value = "anchor";
+      node.dispatchEvent(new Event("change", { bubbles: true }));
+    });
+    await told("mark", ({ markers }) => markers[0]?.name === "anchor");
+    await page.$eval("#markers button", (node) => node.click());
+    await told("mark", ({ markers }) => markers.length === 0);
+    assert.equal(await page.$eval("#markers", (node) => node.children.length), 0);
+    await press("tab-display");
   },
 
   async "every control has a name that a screen reader finds"() {
@@ -724,7 +790,7 @@ const failed = await runChecks({
     }
     await resize(390, 800);
     await until(() => page.evaluate(() => innerWidth === 390), "the telephone");
-    const boxes = await page.$$eval(".view, .readout", (nodes) => nodes.map((node) => node.getBoundingClientRect().toJSON()).sort((a, b) => a.top - b.top));
+    const boxes = await page.$$eval(".view:not([hidden]), .readout", (nodes) => nodes.map((node) => node.getBoundingClientRect().toJSON()).sort((a, b) => a.top - b.top));
     boxes.forEach(({ left, right, top }, i) => {
       assert.ok(left <= 8 && right >= 382, `from ${left} to ${right}`);
       assert.ok(i === 0 || top >= boxes[i - 1].bottom, "one below the other");

@@ -1,22 +1,24 @@
 // main.js -- puts the page together.
 
 import { byId } from "./dom.js";
-import { drawColourBar } from "./draw/colour_bar.js";
 import { Frames } from "./frames.js";
+import { setUpBeside } from "./panels/beside.js";
 import { setUpDisplay, nextMap, nextOverlay, nextPicture, fitContrast, followContrast } from "./panels/display.js";
 import { Flight } from "./panels/flight.js";
 import { setUpKeyboard } from "./panels/keyboard.js";
 import { kViews, setUpLayout, setUpSonars } from "./panels/layout.js";
+import { setUpMarks } from "./panels/marks.js";
 import { Notes } from "./panels/notes.js";
 import { setUpObjects } from "./panels/objects.js";
 import { lookUp, setUpReadout } from "./panels/readout.js";
-import { setUpScreenshot } from "./panels/screenshot.js";
-import { changeRange, setUpSettings } from "./panels/settings.js";
+import { changeRange, setUpPresets, setUpSettings } from "./panels/settings.js";
+import { setUpSnapshot } from "./panels/snapshot.js";
 import { setUpGamepad, setUpSticks } from "./panels/sticks.js";
 import { isRecording, setUpTimeline } from "./panels/timeline.js";
 import { setUpTabs } from "./panels/tabs.js";
 import { setUpToken } from "./panels/token.js";
 import { changeSpeed, keepSaved, setUpTransport } from "./panels/transport.js";
+import { setUpVideo } from "./panels/video.js";
 import { Session } from "./session.js";
 import { makeStore } from "./store.js";
 import { AscanView } from "./views/ascan.js";
@@ -35,13 +37,15 @@ const roundPings = () => picture.round.pings;
 const chooseObject = (object) => store.set({ object });
 // Labels come with the ping after the first cursor: a click before then waits for them.
 let clicked = null;
+const useTool = setUpMarks(store, (markers) => store.get("hello")?.presets && request({ op: "mark", markers }));
 const chooseUnder = (cursor) => {
-  const { instance, labelled } = lookUp(store, cursor, roundPings());
+  const { instance, labelled, world } = lookUp(store, cursor, roundPings());
+  if (world && useTool(world)) return;
   if (instance >= 0) chooseObject(instance);
   clicked = labelled || !store.get("truth") ? null : cursor;
 };
 const picture = new PictureView(store, frames, chooseUnder);
-store.on(["shown"], () => clicked && chooseUnder(clicked));
+store.on(["shown"], () => clicked && !store.get("tool") && chooseUnder(clicked));
 let scene = null;
 let waterfall = null;
 // The sonar picture comes first: the shaders of the others take time.
@@ -66,7 +70,7 @@ const request = (message) => session.request(message);
 
 setUpTabs();
 setUpSonars(store, (name) => session.choose(name));
-setUpTransport(store, request);
+setUpTransport(store, request, notes);
 setUpTimeline(store, request);
 setUpObjects(store, request, notes);
 const apply = (settings, line, failed) => {
@@ -74,13 +78,15 @@ const apply = (settings, line, failed) => {
   request({ op: "set", settings });
 };
 setUpSettings(store, apply);
+setUpPresets(store, apply);
+setUpBeside(store, frames, notes);
 const redrawAll = () => {
   picture.draw();
-  drawColourBar(byId("colour-bar"), store);
   scene?.draw();
   waterfall?.draw();
 };
-setUpScreenshot(store, redrawAll, notes);
+setUpSnapshot(store, picture, redrawAll, notes);
+setUpVideo(store, picture, notes);
 const flight = new Flight(store, (message) => isRecording(store) || request(message), notes);
 setUpSticks(flight);
 setUpGamepad(flight);
@@ -101,7 +107,10 @@ setUpKeyboard(flight, [
   ["c", "Controls", press("drawer")],
   ["r", "Record", press("record")],
   ["y", "Save the scenario", press("save")],
-  ["p", "Screenshot", press("shot")],
+  ["p", "Snapshot", press("shot")],
+  ["k", "Ruler", press("tool-ruler")],
+  ["x", "Marker", press("tool-marker")],
+  ["j", "Video", press("video")],
   ["g", "Fit the contrast", () => fitContrast(store)],
   ["m", "Next colours", () => nextMap(store)],
   ["o", "Next overlay", () => nextOverlay(store)],

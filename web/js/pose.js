@@ -15,7 +15,7 @@ export function poseFigures(vehicle, hello, ground) {
   return {
     heading: headingOf(yaw), pitch: degrees(pitch), roll: degrees(roll), z,
     depth: Number.isFinite(level) ? level - z : null,
-    altitude: Number.isFinite(ground) ? z - ground : null,
+    altitude: Number.isFinite(ground ?? NaN) ? z - ground : null,
   };
 }
 

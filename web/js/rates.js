@@ -4,6 +4,15 @@ const kWindow = 3000;     // time that rates are taken over [ms]
 const kLeast = 500;       // time before which there is no rate yet [ms]
 const kLongest = 12_000;  // pings further apart give no rate: time stands still, or nearly [ms]
 
+/** What to say where the machine, not `--rate`, holds a simulation back: null where it keeps up. `pace` is the measured
+ * seconds of the scenario in a second of the clock. */
+export function slowText({ paused, speed, ms_per_ping: cost }, sonars, pace) {
+  if (paused || pace === null || !(pace < 0.9 * speed)) return null;
+  const due = sonars.reduce((sum, { period }) => sum + speed / period, 0);
+  if (!(cost * due > 1000)) return null;
+  return `This machine makes ${(1000 / cost).toFixed(1)} of the ${due.toFixed(1)} pings due a second, so time runs at ${pace.toFixed(2)} of real time. A longer ping period, fewer bins or a shorter range help.`;
+}
+
 export class Rates {
   #pings = [];  // { arrival [ms], made [ms], time [s], change }, oldest first
   #first = null;  // arrival of the first ping since reset() [ms]

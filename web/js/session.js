@@ -3,6 +3,7 @@
 import { Connection } from "./link/connection.js";
 import { decode } from "./link/decode.js";
 import { radians } from "./geometry.js";
+import { Averager } from "./averaging.js";
 import { Rates } from "./rates.js";
 import { describeSonar } from "./sonar.js";
 
@@ -14,6 +15,7 @@ const shapeOf = ({ levels: _levels, shown_gain: _gain, reference: _reference, ga
 
 export class Session {
   #rates = new Rates();
+  #averager = new Averager();
   #scene = null;
 
   /** Calls `taken(ping)` for every ping, `saved(message)` for a saved scenario, `refused(reason)` if a token is needed. */
@@ -41,6 +43,15 @@ export class Session {
   /** Tries again, with another token. */
   tell(token) {
     this.connection.tell(token);
+  }
+
+  /** Ends the connection, until it is wanted again. */
+  pause() {
+    this.connection.pause();
+  }
+
+  resume() {
+    this.connection.resume();
   }
 
   choose(name) {
@@ -93,6 +104,7 @@ export class Session {
       case "levels": this.#levels(message); break;
       case "error": notes.error(message.text, message.of); break;
       case "note": notes.note(message.text); break;
+      case "markers": store.set({ markers: message.markers }); break;
       case "saved": this.saved(message); break;
       case "closing": break;  // The connection says it when it is closed.
       default: notes.error(`The server said ${message.op}, which is not known here.`);
@@ -101,7 +113,7 @@ export class Session {
 
   #hello(hello) {
     const { store } = this;
-    const name = store.get("sonar")?.name;
+    const name = store.get("wanted") ?? store.get("sonar")?.name;
     const described = hello.sonars.find((sonar) => sonar.name === name) ?? hello.sonars[0];
     this.#refresh(described);
     store.set({ hello });
@@ -164,10 +176,11 @@ export class Session {
     }
   }
 
-  #ping(ping) {
+  #ping(made) {
     const { store } = this;
     const sonar = store.get("sonar");
-    if (!sonar || ping.sonar !== sonar.name || ping.beams !== sonar.beams || ping.bins !== sonar.bins) return;
+    if (!sonar || made.sonar !== sonar.name || made.beams !== sonar.beams || made.bins !== sonar.bins) return;
+    const ping = sonar.product.gathers ? made : this.#averager.take(made, store.get("over"));
     const path = store.get("path");
     // A change restarts the run: pings count from 0.
     const last = store.get("ping");

@@ -32,12 +32,13 @@ export class Store {
 
 const kKept = ["map", "grid", "smooth", "truth", "theme", "side", "controls", "showEchoes", "showFan", "showSector", "showPaths"];
 
-/** The page's store, with what the browser kept of the last visit. */
-export function makeStore() {
+/** A store of the page, with what the browser kept of the last visit unless that is not wanted. */
+export function makeStore({ kept: keeps = true } = {}) {
   const store = new Store({
     link: { state: "connecting", text: "Connecting" },
     hello: null,        // the server's last `hello`
     status: null,       // the server's last `state`
+    wanted: null,       // name of the sonar to watch, null: the one that was watched, or the first
     sonar: null,        // entry of hello.sonars that is watched
     ping: null,         // last decoded ping of that sonar
     shown: null,        // the ping that is drawn: `ping`, unless frozen
@@ -57,12 +58,18 @@ export function makeStore() {
     tvg: 0,             // X of the display's gain X log10(range / 1 m) [dB]
     map: "inferno",
     overlay: "none",
+    over: "none",       // pings that the levels are taken over: see averaging.js
+    beside: "",         // name of the second sonar
     grid: true,
     smooth: true,
     truth: true,        // whether labels are asked for, for the names under the cursor
     cursor: null,       // { range, azimuth, beam, bin } under the mouse
     beam: 0,            // beam of A-scan and waterfall while no mouse is over the picture
     object: -1,         // chosen object
+    tool: null,         // what a click on the picture does: ruler, marker, or null: it chooses beam and object
+    ruler: null,        // { from, to } as points of the world [m]; to is null until the second click
+    markers: [],        // { name, position [m], time [s], sonar, ping }
+    ground: null,       // height of the first surface below the vehicle [m], null: none
     waterfallOf: "strongest",
     camera: "chase",
     showEchoes: true,
@@ -70,9 +77,9 @@ export function makeStore() {
     showSector: true,
     showPaths: true,
     theme: null,        // light, dark, or null: as the system
-    ...kept(),
+    ...(keeps ? kept() : {}),
   });
-  store.on(kKept, keep);
+  if (keeps) store.on(kKept, keep);
   return store;
 }
 

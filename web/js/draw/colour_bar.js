@@ -4,10 +4,14 @@ import { context2d, themeColour } from "../dom.js";
 import { niceStep, number, ticks } from "../format.js";
 import { colourTable } from "./colour_maps.js";
 
-/** Draws the bar over the whole canvas: colours, levels, and what they refer to. */
+/** Draws the bar over the whole canvas. */
 export function drawColourBar(canvas, store) {
   const { context, width, height } = context2d(canvas);
-  if (width < 60 || height < 40) return;
+  if (width >= 60 && height >= 40) paintColourBar(context, store, width);
+}
+
+/** Draws a bar of `width` pixels and 46 of height: colours, levels, and what they refer to. */
+export function paintColourBar(context, store, width) {
   const low = store.get("low");
   const high = Math.max(store.get("high"), low + 0.1);
   const [left, right, deep] = [12, width - 12, 10];

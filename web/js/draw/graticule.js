@@ -81,7 +81,7 @@ function radialLabel(plan, azimuth, isEdge = false) {
   const angle = plan.sonar.up - azimuth;
   const isBeside = x > kBeside && x < plan.width - kBeside;
   if (isEdge && !isBeside) {  // Below the corner.
-    return { isEdge, text: radialText(plan.sonar, azimuth), align: azimuth > 0 ? "left" : "right", baseline: "top", x, y: y + 5 };
+    return { isEdge, text: radialText(plan.sonar, azimuth), align: azimuth > 0 ? "left" : "right", baseline: "top", x, y: y + edgeDrop(azimuth) };
   }
   return {
     isEdge,
@@ -92,6 +92,9 @@ function radialLabel(plan, azimuth, isEdge = false) {
     y: y - (azimuth === 0 && plan.mode === "fan" ? 6 : 4) * Math.cos(angle),
   };
 }
+
+// How far below the corner of a fan a label is free of its edge.
+const edgeDrop = (azimuth) => 3 + Math.max(0, kWide / Math.tan(Math.abs(azimuth)));
 
 // Leaves out labels that would lie on others. Those of the edges come first, unless they lie on each other.
 function writeApart(context, plan, labels) {
@@ -141,11 +144,11 @@ function labelRing(context, plan, range, azimuth) {
   context.textAlign = isBeside ? "right" : "left";
   context.textBaseline = "middle";
   context.fillStyle = themeColour("--soft");
-  context.fillText(text, isBeside ? x - 6 : x, y + (isLast ? (isBeside ? 14 : 25) : 3));
+  context.fillText(text, isBeside ? x - 6 : x, y + (isLast ? (isBeside ? 14 : edgeDrop(azimuth) + 20) : 3));
 }
 
-// Over the picture, with an outline; its lower left corner is at x, y.
-function writeInside(context, text, x, y) {
+/** Writes over the picture, with an outline; the text's lower left corner is at x, y. */
+export function writeInside(context, text, x, y) {
   context.textAlign = "left";
   context.textBaseline = "bottom";
   context.lineWidth = 3;

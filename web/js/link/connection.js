@@ -12,6 +12,7 @@ export class Connection {
   #reason = "";
   #timer = 0;
   #opens = false;  // whether this socket was ever open
+  #paused = false;
 
   constructor(handlers) {
     this.#handlers = handlers;
@@ -30,6 +31,19 @@ export class Connection {
     return true;
   }
 
+  /** Ends the connection without trying again. */
+  pause() {
+    this.#paused = true;
+    clearTimeout(this.#timer);
+    this.#socket.close();
+  }
+
+  resume() {
+    if (!this.#paused) return;
+    this.#paused = false;
+    this.#connect();
+  }
+
   /** Tells another token, as part of the page's address, where a reload finds it. */
   tell(token) {
     const url = new URL(location.href);
@@ -46,12 +60,12 @@ export class Connection {
     url.pathname = "/";
     url.hash = "";
     const socket = new WebSocket(url, [kProtocol]);
-    this.#socket = socket;
+    this.#socket = socket;  // What an earlier one says no longer counts.
     this.#opens = false;
     socket.binaryType = "arraybuffer";
     socket.addEventListener("open", () => this.#opened());
     socket.addEventListener("message", ({ data }) => this.#receive(data));
-    socket.addEventListener("close", (event) => this.#closed(event));
+    socket.addEventListener("close", (event) => !this.#paused && socket === this.#socket && this.#closed(event));
   }
 
   #opened() {

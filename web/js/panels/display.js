@@ -1,5 +1,6 @@
 // display.js -- contrast, gain, colours and overlay of the pictures: nothing here changes the simulation.
 
+import { kOver } from "../averaging.js";
 import { byId, element, write } from "../dom.js";
 import { labelColour } from "../draw/colour_maps.js";
 import { number } from "../format.js";
@@ -19,7 +20,8 @@ const kSwitches = { grid: "grid", smooth: "smooth", truth: "truth", "show-echoes
 
 export function setUpDisplay(store, frames, roundPings) {
   for (const name of ["low", "high", "gain", "tvg"]) slider(store, name);
-  for (const [id, name] of [["map", "map"], ["overlay", "overlay"], ["waterfall-of", "waterfallOf"]]) {
+  byId("over").replaceChildren(...kOver.map(([value, text]) => element("option", { value }, text)));
+  for (const [id, name] of [["map", "map"], ["overlay", "overlay"], ["over", "over"], ["waterfall-of", "waterfallOf"]]) {
     byId(id).addEventListener("change", () => store.set({ [name]: byId(id).value }));
     store.on([name], () => (byId(id).value = store.get(name)));
   }
@@ -99,15 +101,16 @@ function showModes(store) {
 export function resetContrast(store) {
   const { levels: [low, high] = [], shown_gain: tvg = 0, reference } = store.get("sonar") ?? {};
   if (!Number.isFinite(low) || !Number.isFinite(high)) return;
-  proposed = { low: Math.round(low), high: Math.round(high), gain: 0, tvg, reference };
-  const { reference: _, ...values } = proposed;
+  const values = { low: Math.round(low), high: Math.round(high), gain: 0, tvg };
+  proposals.set(store, { ...values, reference });
   store.set(values);
 }
 
-let proposed = null;
+const proposals = new WeakMap();  // by store
 
 /** After a change: the new proposal, unless somebody has set the contrast by hand and the decibels are still the same. */
 export function followContrast(store) {
+  const proposed = proposals.get(store);
   const untouched = ["low", "high", "gain", "tvg"].every((name) => proposed && store.get(name) === proposed[name]);
   if (untouched || proposed?.reference !== store.get("sonar")?.reference) resetContrast(store);
 }

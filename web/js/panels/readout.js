@@ -2,8 +2,8 @@
 
 import { byId, write } from "../dom.js";
 import { bearing, decibels, metres, number, triple } from "../format.js";
-import { sonarPoint, toWorld } from "../geometry.js";
 import { levelDb } from "../link/decode.js";
+import { worldPoint } from "../measure.js";
 
 const kFields = ["range", "bearing", "level", "beam", "bin", "world", "object", "material"];
 
@@ -18,13 +18,12 @@ export function lookUp(store, cursor, roundPings) {
   const names = store.get("hello");
   const label = instance ? instance[cell] : -1;
   const surface = material ? material[cell] : -1;
-  const up = elevation && Number.isFinite(elevation[cell]) ? elevation[cell] : sonar.elevationCentre;
   // The azimuth of a scanning head is that of the head in its housing, which is also how its picture is drawn.
   return {
     ...found,
     ping,
     level: levelDb(level[cell]),
-    world: toWorld(ping.pose, sonarPoint(cursor.range, cursor.azimuth, up)),
+    world: worldPoint(sonar, ping.pose, cursor, elevation?.[cell], store.get("ground")),
     instance: label,
     object: label >= 0 ? (names?.objects[label] ?? `object ${label}`) : null,
     material: surface >= 0 ? (names?.materials[surface] ?? `material ${surface}`) : null,

@@ -50,6 +50,21 @@ function keysOfSonar(store) {
 // Whether the sonar has a key of its own that acts instead of the scenario's.
 const isOwn = (hello, index, path) => path.startsWith("receiver.") && `sonars[${index}].${path}` in hello.keys;
 
+/** Fills the choice of presets: another instrument in the place of the watched sonar. */
+export function setUpPresets(store, apply) {
+  const select = byId("preset");
+  store.on(["hello", "sonar"], () => {
+    const presets = store.get("hello")?.presets ?? [];
+    byId("preset-field").hidden = presets.length === 0;
+    const options = ["", ...presets];
+    if (select.options.length !== options.length) select.replaceChildren(...options.map((value) => element("option", { value }, value || "as the scenario says")));
+  });
+  select.addEventListener("change", () => {
+    const index = store.get("hello").sonars.findIndex(({ name }) => name === store.get("sonar").name);
+    if (select.value) apply([`sonars[${index}].preset=${select.value}`], byId("error-preset"), () => (select.value = ""));
+  });
+}
+
 /** Asks for the next usual range of the watched sonar. */
 export function changeRange(store, apply, direction) {
   const [path, entry, key] = keysOfSonar(store).find(([, , each]) => each === "S.max_range") ?? [];

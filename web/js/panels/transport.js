@@ -2,9 +2,24 @@
 
 import { byId, download, element, write } from "../dom.js";
 import { number } from "../format.js";
+import { slowText } from "../rates.js";
 import { isRecording } from "./timeline.js";
 
-export function setUpTransport(store, request) {
+// Says once that the machine does not keep up, and marks the figure for as long.
+function watchPace(store, notes) {
+  let said = false;
+  store.on(["pace", "status"], () => {
+    const { hello, status } = { hello: store.get("hello"), status: store.get("status") };
+    const text = hello && status && !isRecording(store) ? slowText(status, hello.sonars, store.get("pace")) : null;
+    byId("pace").parentElement.toggleAttribute("data-slow", text !== null);
+    if (text && !said) notes.note(text);
+    said ||= text !== null;
+  });
+  store.on(["hello"], () => (said = false));
+}
+
+export function setUpTransport(store, request, notes) {
+  watchPace(store, notes);
   byId("pause").addEventListener("click", () => request({ op: "pause", on: !store.get("status")?.paused }));
   byId("step").addEventListener("click", () => request({ op: "step" }));
   byId("follow").addEventListener("click", () => request({ op: "follow", on: !store.get("status")?.follow }));

@@ -1,8 +1,9 @@
 // picture.js -- the sonar picture as fan, polar or round picture, its cursor, zoom and colour bar.
 
 import { byId, context2d, fitCanvas, write } from "../dom.js";
-import { drawColourBar } from "../draw/colour_bar.js";
+import { drawColourBar, paintColourBar } from "../draw/colour_bar.js";
 import { drawGraticule } from "../draw/graticule.js";
+import { drawMarks } from "../draw/marks.js";
 import { makePlan, underPoint } from "../draw/plan.js";
 import { heightAbove } from "../draw/sight.js";
 import { PictureRenderer } from "../draw/renderer.js";
@@ -16,15 +17,17 @@ const kHome = { factor: 1, x: 0, y: 0 };
 const kMostZoom = 40;
 
 export class PictureView {
-  constructor(store, frames, choose) {
+  /** `prefix` of the names of its elements: empty, or "beside-" of the second sonar. */
+  constructor(store, frames, choose, prefix = "") {
     this.store = store;
-    this.stage = byId("picture-stage");
-    this.canvas = byId("picture");
-    this.lines = byId("graticule");
+    this.part = (name) => byId(prefix + name);
+    this.stage = this.part("picture-stage");
+    this.canvas = this.part("picture");
+    this.lines = this.part("graticule");
     this.zoom = kHome;
     this.redraw = frames.add(() => this.draw());
     this.redrawLines = frames.add(() => this.drawLines());
-    this.redrawBar = frames.add(() => drawColourBar(byId("colour-bar"), store));
+    this.redrawBar = frames.add(() => drawColourBar(this.part("colour-bar"), store));
     this.renderer = new PictureRenderer(this.canvas, this.redraw);
     new ResizeObserver(() => {
       this.redraw();
@@ -37,8 +40,8 @@ export class PictureView {
       this.#home();
     });
     store.on(["shown", "mode", "low", "high", "gain", "tvg", "map", "overlay", "smooth", "theme", "main"], this.redraw);
-    store.on(["grid", "cursor", "beam"], this.redrawLines);
-    store.on(["frozen"], () => (byId("frozen").hidden = !store.get("frozen")));
+    store.on(["grid", "cursor", "beam", "markers", "ruler"], this.redrawLines);
+    store.on(["frozen"], () => (this.part("frozen").hidden = !store.get("frozen")));
     this.#listen(choose);
   }
 
@@ -60,13 +63,14 @@ export class PictureView {
     this.#arrange();
     this.renderer.draw(this.plan, store);
     this.drawLines();
+    this.afterDraw?.();  // While the canvas still has its picture.
     const ping = store.get("shown");
-    byId("empty").hidden = Boolean(ping);
+    this.part("empty").hidden = Boolean(ping);
     if (ping && !this.drawn) {
       this.drawn = performance.now();  // [ms] after the page was asked for
       this.firstDrawn?.();
     }
-    write(byId("picture-caption"), width < 420 || !ping ? sonar.name : this.#caption(sonar, ping));
+    write(this.part("picture-caption"), width < 420 || !ping ? sonar.name : this.#caption(sonar, ping));
   }
 
   // Above a fan there is room for lines of it; a polar picture reaches into the corners.
@@ -77,20 +81,51 @@ export class PictureView {
     // The way down is looked for twice a second: large meshes cost milliseconds.
     if (!(now - this.lookedDown < 500)) {
       this.lookedDown = now;
-      this.ground = vehicle.position[2] - (heightAbove(store.get("scene")?.objects ?? [], vehicle.position) ?? Infinity);
+      const height = heightAbove(store.get("scene")?.objects ?? [], vehicle.position);
+      store.set({ ground: height === null ? null : vehicle.position[2] - height });
     }
-    const texts = poseTexts(poseFigures(vehicle, store.get("hello"), this.ground));
+    const texts = poseTexts(poseFigures(vehicle, store.get("hello"), store.get("ground")));
     return [`${sonar.name}   ping ${ping.number}   ${clock(ping.time)} s`, ...texts].join(store.get("mode") === "polar" ? "   " : "\n");
   }
 
   drawLines() {
     const { context } = context2d(this.lines);
-    if (!this.plan) return;
-    drawGraticule(context, this.plan, {
-      grid: this.store.get("grid"),
-      cursor: this.store.get("cursor"),
+    if (this.plan) this.#paintLines(context, this.plan);
+  }
+
+  #paintLines(context, plan) {
+    const { store } = this;
+    drawGraticule(context, plan, {
+      grid: store.get("grid"),
+      cursor: store.get("cursor"),
       headAngle: this.renderer.round.headAngle,
     });
+    const ping = store.get("shown");
+    if (!ping) return;
+    const altitude = ping.pose.position[2] - (store.get("ground") ?? Infinity);
+    drawMarks(context, plan, ping.pose, { markers: store.get("markers"), ruler: store.get("ruler"), altitude });
+  }
+
+  /** How many pixels of the screen a bin would need to be seen whole. */
+  get pixelsNeeded() {
+    const { sonar, toScreen } = this.plan;
+    return sonar.bins / Math.abs(toScreen(0, sonar.max_range)[1] - toScreen(0, sonar.min_range)[1]);
+  }
+
+  /** Paints the picture as it is shown, with lines and colour bar, on a canvas with `scale` pixels for each of the screen. */
+  paint(context, scale) {
+    const { store, plan } = this;
+    const bar = 286;
+    [this.canvas.width, this.canvas.height] = [Math.round(plan.width * scale), Math.round(plan.height * scale)];
+    this.renderer.draw(plan, store);
+    context.drawImage(this.canvas, 0, 0);
+    context.save();
+    context.scale(scale, scale);
+    this.#paintLines(context, plan);
+    context.translate(plan.width - bar - 8, plan.height - 52);
+    paintColourBar(context, store, bar);
+    context.restore();
+    this.redraw();  // As large as it is on the screen.
   }
 
   #newSonar() {
