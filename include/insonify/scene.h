@@ -65,8 +65,8 @@ struct MaterialOverride {
   }
 };
 
-/// Rules by which assign_materials() chooses the material of each surface. Keys of `overrides` match a visual's name
-/// (in full, or its last part) or else a material's name.
+/// Rules by which assign_materials() chooses the material of each surface. Keys of `overrides` match the name of a
+/// visual, a link or a model (in full, or its last part) or else a material's name.
 struct MaterialRules {
   std::map<std::string, MaterialOverride> overrides = {};
   std::string default_material = "sand";  ///< For material names in meshes that match nothing.
@@ -105,11 +105,11 @@ struct Scene {
   [[nodiscard]] int find_instance(std::string_view name) const;
 };
 
-/// Assigns a material to every slot of every instance, the first of: an override with the visual's name; the instance's
-/// user_material; an override with the slot's name; the library material with that name; the default. user_material and
-/// the default may name an override too. Each override becomes a material of its own, named by its key. Slot names that
-/// got the default are reported to `log` in one line. The relief of a slot is that of its material, or else of its
-/// mesh.
+/// Assigns a material to every slot of every instance, the first of: an override with the object's name, unless it also
+/// is the name of some slots; the instance's user_material; an override with the slot's name; the library's of that
+/// name; the default. user_material and the default may name an override too. Each override becomes a material, named by
+/// its key. Slot names that got the default are reported to `log`. The relief of a slot is that of its material, or else
+/// of its mesh.
 /// @throws Error for a name written by the user (an override's key or `like`, a user_material, a name of an
 ///         instance with names_resolve, the default) that matches nothing, and for a property out of its limits.
 void assign_materials(Scene& scene, const MaterialRules& rules, const Log& log = {});

@@ -121,7 +121,7 @@ const HostileCase kCases[] = {
     {"YamlMaterial", "a.yaml", "world: floor.obj\nsonars: [{}]\nmaterials: {hull: {like: \"TEXT\"}}\n",
      "a.yaml:3:20: materials.hull.like = {TEXT} is not a known material"},
     {"YamlMaterialName", "a.yaml", "world: floor.obj\nsonars: [{}]\nmaterials:\n  \"TEXT\": {like: steel}\n",
-     "a.yaml:4:3: {materials.TEXT} matches no visual and no material"},
+     "a.yaml:4:3: {materials.TEXT} matches no object and no material; the scene has floor"},
     {"YamlDefaultMaterial", "a.yaml", "world: floor.obj\nsonars: [{}]\ndefault_material: \"TEXT\"\n",
      "a.yaml:3:1: default_material = {TEXT} is not a known material"},
     {"SdfVersion", "a.sdf", "<sdf version='TEXT'/>",

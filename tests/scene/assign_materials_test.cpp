@@ -156,6 +156,55 @@ TEST(AssignMaterialsTest, FiveRulesDecideInOrder) {
   EXPECT_THAT(names_of(scene, 1), ElementsAre("ice"));      // The default.
 }
 
+// "wreck" is a model, "hull" one of its links.
+TEST(AssignMaterialsTest, ModelsAndLinksAreNamedTheInnermostFirst) {
+  Scene scene = scene_with({instance("wreck::hull::plate", {"steel"}), instance("wreck::mast::plate", {"wood"}),
+                            instance("reef::wreckage", {"rock"})});
+  MaterialRules rules{.overrides = {{"wreck", {.like = "ice"}}}};
+  assign_materials(scene, rules);
+  EXPECT_THAT(names_of(scene, 0), ElementsAre("wreck"));
+  EXPECT_THAT(names_of(scene, 1), ElementsAre("wreck"));
+  EXPECT_THAT(names_of(scene, 2), ElementsAre("rock"));
+  for (const char* key : {"hull", "wreck::hull"}) {
+    rules.overrides[key] = {.like = "lead"};
+    assign_materials(scene, rules);
+    EXPECT_THAT(names_of(scene, 0), ElementsAre(key));
+    EXPECT_THAT(names_of(scene, 1), ElementsAre("wreck"));
+  }
+  rules.overrides["plate"] = {.like = "copper"};
+  assign_materials(scene, rules);
+  EXPECT_THAT(names_of(scene, 0), ElementsAre("plate"));
+  EXPECT_THAT(names_of(scene, 1), ElementsAre("plate"));
+}
+
+// A mesh file wreck.obj with the materials wreck and rust: the second triangle is of rust.
+TEST(AssignMaterialsTest, TheMaterialOfAPartIsNotThatOfTheWholeFile) {
+  Mesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 1}};
+  mesh.material_names = {"wreck", "rust"};
+  mesh.material_slots = {0, 1};
+  Scene scene = scene_with({{.name = "wreck", .mesh = std::make_shared<Mesh>(mesh)}});
+  std::vector<std::string> told;
+  const Log log = [&](Severity severity, const std::string& line) {
+    if (severity == Severity::kWarning) {
+      told.push_back(line);
+    }
+  };
+  assign_materials(scene, {.overrides = {{"wreck", {.like = "steel"}}}}, log);
+  EXPECT_THAT(names_of(scene), ElementsAre("wreck", "sand"));
+  EXPECT_THAT(
+      told,
+      ElementsAre("materials.wreck is for the surfaces of wreck with a material of that name, not for all of it"));
+
+  told.clear();
+  mesh.material_slots = {0, 0};  // Nothing is of rust.
+  scene.instances[0].mesh = std::make_shared<Mesh>(mesh);
+  assign_materials(scene, {.overrides = {{"wreck", {.like = "steel"}}}}, log);
+  EXPECT_THAT(names_of(scene), ElementsAre("wreck", "wreck"));
+  EXPECT_TRUE(told.empty());
+}
+
 TEST(AssignMaterialsTest, AnOverrideOfALibrarysNameMayGoUnused) {
   EXPECT_EQ(fault(scene_with({instance("ship", {"steel"})}), {.overrides = {{"Aluminum", {.density = 2750}}}}),
             "no error");
@@ -173,14 +222,24 @@ TEST(AssignMaterialsTest, AssigningAgainStartsAfresh) {
 
 TEST(AssignMaterialsMessagesTest, NamesTheNearestVisualOrMaterialOfAKey) {
   const Scene scene = scene_with({instance("ship::hull", {"red_paint"})});
+  const std::string kHas = "The scene has ship, hull, ship::hull, red_paint";
   EXPECT_EQ(fault(scene, {.overrides = {{"hul", {.reflectivity = 0.9}}}}),
-            "materials.hul matches no visual and no material; did you mean hull?");
+            "materials.hul matches no object and no material; did you mean hull? " + kHas);
   EXPECT_EQ(fault(scene, {.overrides = {{"ship::hall", {.reflectivity = 0.9}}}}),
-            "materials.ship::hall matches no visual and no material; did you mean ship::hull?");
+            "materials.ship::hall matches no object and no material; did you mean ship::hull? " + kHas);
   EXPECT_EQ(fault(scene, {.overrides = {{"red_pant", {.reflectivity = 0.9}}}}),
-            "materials.red_pant matches no visual and no material; did you mean red_paint?");
+            "materials.red_pant matches no object and no material; did you mean red_paint? " + kHas);
   EXPECT_EQ(fault(scene, {.overrides = {{"concret", {.reflectivity = 0.9}}}}),
-            "materials.concret matches no visual and no material; did you mean concrete?");
+            "materials.concret matches no object and no material; did you mean concrete? " + kHas);
+}
+
+TEST(AssignMaterialsMessagesTest, ListsWhatThereIsWhereNoNameIsNear) {
+  EXPECT_EQ(fault(scene_with({instance("ship::hull::skin", {"red_paint", ""}), instance("ship::mast::skin", {"wood"})}),
+                  {.overrides = {{"submarine", {.reflectivity = 0.9}}}}),
+            "materials.submarine matches no object and no material; the scene has ship, hull, ship::hull, skin, "
+            "ship::hull::skin, red_paint, mast, ship::mast, ship::mast::skin, wood");
+  EXPECT_EQ(fault({}, {.overrides = {{"submarine", {.reflectivity = 0.9}}}}),
+            "materials.submarine matches no object and no material");
 }
 
 TEST(AssignMaterialsMessagesTest, NamesTheNearestMaterialToBeLike) {
