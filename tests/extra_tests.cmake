@@ -128,7 +128,8 @@ if(BUILD_SHARED_LIBS)
     string(APPEND compile " -fsanitize=${INSONIFY_SANITIZE}")
   endif()
   file(GLOB documents CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/README.md
-    ${PROJECT_SOURCE_DIR}/CONTRIBUTING.md ${PROJECT_SOURCE_DIR}/docs/*.md ${PROJECT_SOURCE_DIR}/docs/*/*.md)
+    ${PROJECT_SOURCE_DIR}/CONTRIBUTING.md ${PROJECT_SOURCE_DIR}/docs/*.md ${PROJECT_SOURCE_DIR}/docs/*/*.md
+    ${PROJECT_SOURCE_DIR}/examples/python/*.ipynb)
   foreach(document IN LISTS documents)
     add_test(NAME documentation.${document}
       COMMAND Python3::Interpreter tools/run_doc_blocks.py --build ${PROJECT_BINARY_DIR} --compile=${compile}

@@ -37,8 +37,9 @@ def fields(class_name):
     for name, read, _ in facts_of(class_name):
         lines += [f"    {name}: {read}", docstring(getattr(owner, name).__doc__)]
     given = "".join(f", {name}: {given} = ..." for name, _, given in facts_of(class_name))
-    return lines + [f"    def __init__(self, *{given}) -> None: ...",
-                    f"    def copy(self) -> {class_name}: ...",
+    preset = ", preset: str = ..., mode: str = ..." if class_name == "SonarConfig" else ""
+    return lines + [f"    def __init__(self, *{preset}{given}) -> None: ...",
+                    f"    def copy(self, *{given}) -> {class_name}: ...",
                     f"    def __copy__(self) -> {class_name}: ...",
                     f"    def __deepcopy__(self, memo: dict[Any, Any]) -> {class_name}: ...",
                     "    def __eq__(self, other: Any) -> bool: ...",

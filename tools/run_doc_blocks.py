@@ -29,11 +29,14 @@ A comment anywhere says where a picture that the page shows comes from; blocks m
 
     <!-- image: ../images/reef.png = reef/fls_fan_0000.png -->
 
+A Jupyter notebook (.ipynb) is run as one program, and compared with the text output that it stores.
+
 With --images the pictures in the source tree are replaced by those.
 """
 
 import argparse
 import dataclasses
+import json
 import os
 import pathlib
 import re
@@ -96,6 +99,14 @@ def check_messages(path, blocks):
     for block, after in zip(blocks, [*blocks[1:], None]):
         if block.run == "fails" and (after is None or after.language != "console" or after.run is not None):
             raise Fault(f"{path}:{block.line}: a console block with the message must follow a block that fails")
+
+
+def notebook_blocks(path):
+    """The code cells of a Jupyter notebook as one program, and the text that it stores as their output."""
+    cells = [cell for cell in json.loads(path.read_text(encoding="utf-8"))["cells"] if cell["cell_type"] == "code"]
+    printed = ["".join(output["text"]) for cell in cells for output in cell["outputs"] if output["output_type"] == "stream"]
+    program = "\n".join("".join(cell["source"]) for cell in cells)
+    return [Block(1, "python", program, run="needs insonify"), Block(1, "console", "".join(printed))]
 
 
 def execute(command, folder, environment):
@@ -211,7 +222,7 @@ def run_document(path, arguments):
         environment = dict(os.environ, PATH=f"{build}:{build}/bin:{folder}/.bin:{os.environ['PATH']}", TMPDIR=name,
                            PYTHONPATH=str(build / "python"), PYTHONDONTWRITEBYTECODE="1", MPLBACKEND="Agg")
         output, all_ran = None, True
-        blocks = blocks_of(path)
+        blocks = notebook_blocks(path) if path.suffix == ".ipynb" else blocks_of(path)
         check_messages(path, blocks)
         for block in blocks:
             if block.source is not None:

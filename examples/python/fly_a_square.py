@@ -47,7 +47,7 @@ def square() -> Iterator[tuple[float, insonify.Pose]]:
 
 def main(folder: pathlib.Path) -> None:
     sonar = insonify.SonarConfig.preset("tritech-gemini-720i", name="fls", max_range=15)
-    sim = insonify.Simulator(insonify.Scenario(sonars=[sonar]), make_scene())
+    sim = insonify.Simulator(sonar, make_scene())
     crate = sim.instance_names.index("crate")
     with insonify.Recording(folder / "square.h5", sim, "fls", replace=True) as recording:
         for time, pose in square():

@@ -29,7 +29,7 @@ def make_ping() -> tuple[insonify.Ping, list[str]]:
     for number, y in enumerate((-6, -2, 2, 6)):
         scene.add(f"pillar_{number}", ring, faces, "steel", insonify.Pose.rpy((9, y, 0)))
     sonar = insonify.SonarConfig.preset("tritech-gemini-720i", name="harbour", max_range=18)
-    sim = insonify.Simulator(insonify.Scenario(sonars=[sonar]), scene)
+    sim = insonify.Simulator(sonar, scene)
     return sim.ping(pose=insonify.Pose.rpy((0, 0, 0), (0, 10, 0))), sim.instance_names
 
 
@@ -40,7 +40,7 @@ def main(file: str) -> None:
     ping.plot("polar", ax=axes[0, 1], colour_map="copper")
 
     # What gave each echo.
-    azimuths, ranges = np.degrees(ping.sonar.azimuths()), ping.sonar.bin_ranges()
+    azimuths, ranges = np.degrees(ping.azimuths), ping.ranges
     labels = np.where(ping.instance == insonify.NO_LABEL, np.nan, ping.instance.astype(float))
     mesh = axes[1, 0].pcolormesh(azimuths, ranges, labels, cmap=plt.get_cmap("tab10", len(names)), vmin=-0.5, vmax=len(names) - 0.5, shading="nearest")
     axes[1, 0].set(xlabel="azimuth, positive to port [deg]", ylabel="range [m]", title="strongest instance")

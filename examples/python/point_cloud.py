@@ -34,7 +34,7 @@ def sphere(radius: float, steps: int = 48) -> tuple[npt.NDArray[np.float64], lis
 def points_of(ping: insonify.Ping) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.uint16]]:
     """World positions [n, 3] of the bins in which a surface echoed, and the instance of each."""
     bins, beams = np.nonzero((ping.instance != insonify.NO_LABEL) & (ping.elevation_spread < np.radians(0.5)))
-    ranges, azimuths = ping.sonar.bin_ranges()[bins], ping.sonar.azimuths()[beams]
+    ranges, azimuths = ping.ranges[bins], ping.azimuths[beams]
     elevations = ping.elevation[bins, beams].astype(float)
     in_sonar = np.stack([ranges * np.cos(elevations) * np.cos(azimuths), ranges * np.cos(elevations) * np.sin(azimuths),
                          ranges * np.sin(elevations)], axis=1)

@@ -44,7 +44,7 @@ def seconds_of(action: object, *arguments: object) -> float:
 def main(count: int) -> None:
     print(f"{'':22} {'C++':>9} {'Python':>9} {'Python costs':>13} {'one by one':>11} {'batch':>9}   ms a ping, {count} pings")
     for title, sonar in SONARS.items():
-        sim = insonify.Simulator(insonify.Scenario(sonars=[sonar]), make_scene())
+        sim = insonify.Simulator(sonar, make_scene())
         poses = [insonify.Pose.rpy((0.1 * k, 0.05 * k, 0), (0, 15, 2 * k)) for k in range(count)]
         from_cpp: list[float] = []
         from_python: list[float] = []

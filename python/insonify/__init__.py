@@ -1,7 +1,7 @@
 """Imaging-sonar simulator: pings of forward-looking and scanning sonars in 3-D scenes, as NumPy arrays.
 
     import insonify
-    sim = insonify.Simulator(insonify.Scenario.load("first.yaml"))
+    sim = insonify.Simulator("first.yaml")
     ping = sim.ping("sonar")                    # or sim.ping("sonar", pose=T, time=t)
     ping.intensity                              # float32 [bins, beams], raw and linear
     insonify.write_png("first.png", insonify.fan(ping))
@@ -13,6 +13,7 @@ from __future__ import annotations
 import os
 import warnings
 
+from . import _calls as _calls  # First: it replaces functions of the compiled module.
 from ._compare import compare
 from ._insonify import (
     NO_LABEL,
@@ -42,8 +43,6 @@ from ._insonify import (
     Waypoint,
     __version__,
     acoustics,
-    draw_fan,
-    draw_polar,
     export,
     load_trajectory,
     material_library,
@@ -52,8 +51,12 @@ from ._insonify import (
     similarity,
     write_png,
 )
+from . import _scene as _scene
+from ._catalogue import load, materials, presets
 from ._layers import RecordedLayer
 from ._levels import to_db
+from ._pictures import draw_fan, draw_polar
+from ._pose import look_at
 
 fan = draw_fan
 
@@ -87,10 +90,13 @@ __all__ = [
     "export",
     "fan",
     "Interferer",
+    "load",
     "load_trajectory",
+    "look_at",
     "Material",
     "material_library",
     "MaterialOverride",
+    "materials",
     "Motion",
     "NO_LABEL",
     "open",
@@ -99,6 +105,7 @@ __all__ = [
     "PointTarget",
     "Pose",
     "preset_names",
+    "presets",
     "scene_names",
     "ReceiverConfig",
     "RecordedLayer",

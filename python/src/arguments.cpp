@@ -1,4 +1,4 @@
-// arguments.cpp -- checks keywords, and copies nested dicts and lists, with the name of each value for messages.
+// arguments.cpp -- checks keywords and copies nested dicts and lists, with the name of each value for messages.
 
 #include "arguments.h"
 
@@ -63,12 +63,6 @@ std::string colour_map_name(const py::object& colour_map, const py::object& colo
     from_python(british ? colour_map : color_map, british ? "colour_map" : "color_map", 1, name);
   }
   return name;
-}
-
-void refuse_others(const char* function, const py::kwargs& others, const char* taken) {
-  for (const std::pair<py::handle, py::handle> item : others) {
-    throw py::type_error(fmt::format("{}() has no argument {}; it takes {}", function, shown(item.first), taken));
-  }
 }
 
 py::object plain_value(py::handle value, const std::string& name) {

@@ -1,4 +1,4 @@
-// arguments.h -- arguments from Python: alternative keywords, unknown ones, and nested dicts and lists.
+// arguments.h -- arguments from Python: alternative keywords, and nested dicts and lists.
 
 #pragma once
 
@@ -13,12 +13,6 @@ namespace py = pybind11;
 /// The colour map given by either spelling; both None: inferno.
 /// @throws Error if both are given.
 [[nodiscard]] std::string colour_map_name(const py::object& colour_map, const py::object& color_map);
-
-/// Refuses unknown keywords with the names of the known ones: pybind11 would list types.
-/// @throws TypeError that names the first of them.
-void refuse_others(const char* function, const py::kwargs& others, const char* taken);
-
-namespace py = pybind11;
 
 /// A copy made only of dicts, lists, texts, numbers, booleans and None. NumPy's scalars become numbers, arrays nested
 /// lists, tuples lists, and paths (anything with __fspath__) texts.

@@ -16,11 +16,17 @@ namespace insonify::python {
 
 namespace py = pybind11;
 
-/// Facts about a ping's sonar for drawing and measuring it.
+/// Names by the numbers in a ping's labels.
+struct LabelNames {
+  std::vector<std::string> instances, materials;
+};
+
+/// Facts about a ping's sonar for drawing and measuring it, and the names of its labels.
 struct SonarFacts {
   SonarConfig sonar;  ///< Filled in.
   EchoModel model = EchoModel::kCalibrated;
   ReceiverConfig receiver;
+  std::shared_ptr<const LabelNames> names = std::make_shared<LabelNames>();
 };
 
 /// A copy of a simulator's scene. It refuses additions, which would not reach the simulator.
@@ -57,5 +63,6 @@ void bind_export(py::module_& module);
 /// A scenario object made by load_scenario() or parse_scenario().
 [[nodiscard]] py::object load_wrapped(const py::object& path, const py::object& settings);
 [[nodiscard]] py::object parse_wrapped(const std::string& text, const py::object& folder, const py::object& settings);
+[[nodiscard]] py::object scenario_from_dict(const py::dict& dict, const py::object& folder);
 
 }  // namespace insonify::python

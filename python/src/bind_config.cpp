@@ -26,23 +26,40 @@ std::string rounded(py::handle value) {
   return "(" + text + (py::len(value) == 1 ? ",)" : ")");
 }
 
+// "; did you mean max_range?", or "".
+std::string nearest_field(const py::object& type, py::handle key) {
+  py::list fields;
+  for (const auto& [name, member] : py::dict(type.attr("__dict__"))) {
+    if (py::isinstance(member, py::module_::import("builtins").attr("property"))) {
+      fields.append(name);
+    }
+  }
+  const py::list near = py::module_::import("difflib").attr("get_close_matches")(py::str(key), fields, 1);
+  return near.empty() ? "" : "; did you mean " + near[0].cast<std::string>() + "?";
+}
+
 }  // namespace
 
 void set_fields(const py::object& config, const py::dict& given) {
-  const py::object property = py::module_::import("builtins").attr("property");
+  const py::object type = py::type::of(config), property = py::module_::import("builtins").attr("property");
+  const auto is_field = [&](py::handle key) {  // Methods such as copy are none.
+    return py::isinstance(type.attr("__dict__").attr("get")(key), property);
+  };
   for (const auto& [key, value] : given) {
-    const py::object type = py::type::of(config);
-    // Methods such as copy are not fields.
-    if (!py::hasattr(type, key) || !py::isinstance(type.attr("__dict__").attr("get")(key), property)) {
-      const bool is_preset = py::hasattr(type, "preset") && key.equal(py::str("preset"));
-      throw py::type_error(type_of(config) + " has no field " + shown(key) +
-                           (is_preset ? "; SonarConfig.preset(name, **fields) makes the sonar of a preset" : ""));
+    if (!is_field(key)) {
+      throw py::type_error(type_of(config) + " has no field " + shown(key) + nearest_field(type, key));
     }
     if (const py::str in_degrees(key.cast<std::string>() + "_deg"); given.contains(in_degrees)) {
       throw Error("", key.cast<std::string>(),
                   " is given twice: in radians, and in degrees as " + in_degrees.cast<std::string>());
     }
-    py::setattr(config, key, value);
+  }
+  for (const bool first : {true, false}) {
+    for (const auto& [key, value] : given) {
+      if (is_of_range(key.cast<std::string>()) == first) {
+        py::setattr(config, key, value);
+      }
+    }
   }
 }
 

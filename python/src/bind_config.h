@@ -8,13 +8,17 @@
 
 #include "held.h"
 #include "python_types.h"
+#include "range_followers.h"
 
 namespace insonify::python {
 
-/// Sets fields by keyword.
+/// Sets fields by keyword; those that others follow from first.
 /// @throws TypeError for an unknown one.
 /// @throws Error for an angle given by both of its names.
 void set_fields(const py::object& config, const py::dict& given);
+
+/// A sonar from its fields and `preset`, the name of the one that it begins with, and `mode`; as in scenario files.
+[[nodiscard]] py::object make_sonar(const py::dict& given);
 
 /// Sentence on a field for help(): meaning, unit, limits and default.
 [[nodiscard]] std::string help_of(const FieldEntry& field, const void* defaults, double scale, std::string_view unit);
@@ -46,9 +50,10 @@ class ConfigClass {
                 .c_str()),
         module_(module),
         name_(name) {
-    class_.def(py::init([](const py::kwargs& given) { return made_from(given); }));
+    class_.def(py::init([](const py::kwargs& given) { return made_from(given).template cast<Held<Config>>(); }));
     class_of(table_of<Config>()) = {
-        name, [](const void* config, const char* frozen) { return wrap(*static_cast<const Config*>(config), frozen); },
+        name, &made_from,
+        [](const void* config, const char* frozen) { return wrap(*static_cast<const Config*>(config), frozen); },
         [](py::handle object, const std::string& its_name, void* config) {
           *static_cast<Config*>(config) = unwrap<Config>(object, its_name);
         }};
@@ -57,12 +62,17 @@ class ConfigClass {
     }
     for (const PartEntry& part : table_of<Config>().parts) {
       const std::string type = part_type(part);
-      describe(module_, name_, std::string(part.name), {type, type});
+      describe(module_, name_, std::string(part.name), {type, given_part_type(part)});
       add_part(part);
     }
     class_.def(
-        "copy", [](const Held<Config>& self) { return wrap(unwrap<Config>(py::cast(&self), "self")); },
-        "A copy that can be changed, with copies of its parts.");
+        "copy",
+        [](const Held<Config>& self, const py::kwargs& changes) {
+          py::object copied = wrap(unwrap<Config>(py::cast(&self), "self"));
+          set_fields(copied, changes);
+          return copied;
+        },
+        "copy(**changes)\n\nA copy that can be changed, with copies of its parts. Keywords change fields.");
     class_.def("__copy__", [](const Held<Config>& self) { return wrap(unwrap<Config>(py::cast(&self), "self")); });
     class_.def("__deepcopy__",
                [](const Held<Config>& self, const py::dict&) { return wrap(unwrap<Config>(py::cast(&self), "self")); });
@@ -94,7 +104,14 @@ class ConfigClass {
           named.validate();
         }
       }
-      set_value(field, value, name, scale, &self.value);
+      const auto change = [&] { set_value(field, value, name, scale, &self.value); };
+      if constexpr (std::is_same_v<Config, SonarConfig>) {
+        if (is_of_range(field.name)) {
+          change_range(self, change);
+          return;
+        }
+      }
+      change();
       forget_text(self.value);
     };
     class_.def_property(name.c_str(), get, set, help.c_str());
@@ -118,16 +135,19 @@ class ConfigClass {
       check_thawed(self, owner, name);
       Config trial{};
       unwrap_part(value, name, part, &trial);
-      const bool is_list = PySequence_Check(value.ptr()) != 0 && !py::isinstance<py::list>(value);
-      self.parts.at(name) = is_list ? py::list(value) : value;
+      self.parts.at(name) = as_part(value, name, part);
     };
     class_.def_property(name.c_str(), get, set, std::string(part.help).c_str());
   }
 
-  static Held<Config> made_from(const py::kwargs& given) {
-    py::object made = wrap(Config{});
-    set_fields(made, given);
-    return made.template cast<Held<Config>>();
+  static py::object made_from(const py::dict& given) {
+    if constexpr (std::is_same_v<Config, SonarConfig>) {
+      return make_sonar(given);
+    } else {
+      py::object made = wrap(Config{});
+      set_fields(made, given);
+      return made;
+    }
   }
 
   // For pickle: fields in SI units, parts, and other members.

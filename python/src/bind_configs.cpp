@@ -34,48 +34,33 @@ py::array_t<double> array_of(int count, const ValueOf& value_of) {
   return values;
 }
 
-// As `preset: NAME` in a scenario file.
 // The name of the preset has no keyword: `name` is a field of the sonar.
 py::object preset(const py::args& given, const py::kwargs& keywords) {
-  py::dict changes = keywords.attr("copy")();
-  if (given.empty() || given.size() + changes.contains("mode") > 2) {
+  py::dict fields = keywords.attr("copy")();
+  if (given.empty() || given.size() + fields.contains("mode") > 2) {
     throw py::type_error("preset() takes the name of a preset, a mode and fields by keyword");
   }
-  std::string name, mode;
-  from_python(given[0], "preset", 1, name);
-  if (given.size() == 2 || changes.contains("mode")) {
-    from_python(given.size() == 2 ? py::object(given[1]) : changes.attr("pop")("mode"), "mode", 1, mode);
+  fields["preset"] = given[0];
+  if (given.size() == 2) {
+    fields["mode"] = given[1];
   }
-  const Preset known = load_preset(name, mode);
-  py::object made = wrap(known.sonar);
-  set_fields(made, changes);
-  const auto sonar = unwrap<SonarConfig>(made, "sonar");
-  SonarConfig fitted = sonar;
-  known.fit_to_range(fitted, sonar.assumed_sound_speed.value_or(Water().true_sound_speed()));
-  if (!changes.contains("bin_count")) {
-    py::setattr(made, "bin_count", py::int_(fitted.bin_count));
-  }
-  if (!changes.contains("ping_period")) {
-    py::setattr(made, "ping_period", to_python(fitted.ping_period, 1));
-  }
-  if (!changes.contains("pulse_duration")) {
-    py::setattr(made, "pulse_duration", py::float_(fitted.pulse_duration));
-  }
-  for (const Preset::Excess& excess : known.exceeded_by(unwrap<SonarConfig>(made, "sonar"))) {
-    warnings_log()(Severity::kWarning, excess.field + excess.text);
-  }
-  return made;
+  return make_sonar(fields);
 }
 
 void add_receivers_and_sonars(py::module_& module) {
   ConfigClass<Sampling>(module, "Sampling", "How finely the insonified sector is sampled.");
   ConfigClass<ReceiverConfig>(module, "ReceiverConfig", about("receiver"));
-  ConfigClass<SonarConfig> sonar(module, "SonarConfig", "An imaging sonar seen as a fan of beams cut into range bins.");
+  ConfigClass<SonarConfig> sonar(
+      module, "SonarConfig",
+      "An imaging sonar seen as a fan of beams cut into range bins.\n\n"
+      "preset: name of an instrument to begin with, in its mode `mode`, as SonarConfig.preset(). When max_range, "
+      "min_range or assumed_sound_speed changes, bin_count, ping_period, pulse_duration and sampling.rows that had "
+      "followed from the range follow it: of a preset's sonar, and of Simulator.sonar().copy().");
   sonar->def_static("preset", &preset,
                     "preset(name, /, mode='', **fields)\n\nThe sonar of a shipped or own preset, over the instrument's "
                     "longest range. Keywords change fields; bin_count, ping_period and pulse_duration are those that "
                     "the instrument has over the range window, unless they are given, by assumed_sound_speed or else "
-                    "that of Water(). insonify.preset_names() lists the names. Raises Error for an unknown name or "
+                    "that of Water(). insonify.presets() has them all. Raises Error for an unknown name or "
                     "mode, TypeError for an unknown field; warns of what the instrument cannot have.");
   sonar->def(
       "validate", [](const py::object& self) { unwrap<SonarConfig>(self, "sonar").validate(); },
@@ -126,6 +111,30 @@ void add_materials(py::module_& module) {
 
 }  // namespace
 
+py::object make_sonar(const py::dict& given) {
+  py::dict fields = given.attr("copy")();
+  if (!fields.contains("preset")) {
+    if (fields.contains("mode")) {
+      throw Error("", "mode", " belongs to a preset, and none is named");
+    }
+    py::object made = wrap(SonarConfig());
+    set_fields(made, fields);
+    return made;
+  }
+  std::string name, mode;
+  from_python(fields.attr("pop")("preset"), "preset", 1, name);
+  if (fields.contains("mode")) {
+    from_python(fields.attr("pop")("mode"), "mode", 1, mode);
+  }
+  const Preset known = load_preset(name, mode);
+  py::object made = wrap(known.sonar);
+  set_fields(made, fields);
+  for (const Preset::Excess& excess : known.exceeded_by(unwrap<SonarConfig>(made, "sonar"))) {
+    warnings_log()(Severity::kWarning, excess.field + excess.text);
+  }
+  return made;
+}
+
 void bind_configs(py::module_& module) {
   add_receivers_and_sonars(module);
   ConfigClass<Water>(module, "Water", about("water"));
@@ -141,29 +150,15 @@ void bind_configs(py::module_& module) {
   ConfigClass<ViewConfig>(module, "ViewConfig", about("view"));
   ConfigClass<Scenario> scenario(module, "Scenario", about("scenario"));
   scenario->def_static("load", &load_wrapped, py::arg("path"), py::arg("settings") = py::tuple(),
-                       "Reads a scenario from a YAML file, or the shipped scene of that name "
-                       "(scene_names()).\n\nsettings: texts \"key=value\" as of `insonify run --set`.\n"
+                       "Reads a scenario from a YAML file, or the shipped scene of that name (scene_names()).\n\n"
+                       "settings: texts \"key=value\" as of `insonify run --set`, or a dict of keys and values: "
+                       "{\"sonars[0].max_range\": 30}; `max_range` alone is for all sonars.\n"
                        "Raises Error with file and line for whatever is wrong.");
   scenario->def_static("from_text", &parse_wrapped, py::arg("text"), py::arg("folder") = "",
                        py::arg("settings") = py::tuple(),
                        "Reads a scenario from YAML text. Relative paths are from `folder`, else from the current one.");
   scenario->def_static(
-      "from_dict",
-      [](const py::dict& dict, const py::object& folder) {
-        // JSON is YAML, except that its words are in quotes: a world "none" would be a file of that name.
-        py::dict rest = plain_value(dict, "");
-        const bool no_world = rest.contains("world") &&
-                              (py::object(rest["world"]).is_none() || py::object(rest["world"]).equal(py::str("none")));
-        if (no_world) {
-          rest.attr("pop")("world");
-        }
-        auto text = py::module_::import("json").attr("dumps")(rest).cast<std::string>();
-        if (no_world) {
-          text.insert(1, rest.empty() ? "\"world\": none" : "\"world\": none, ");
-        }
-        return parse_wrapped(text, folder, py::tuple());
-      },
-      py::arg("dict"), py::arg("folder") = "",
+      "from_dict", &scenario_from_dict, py::arg("dict"), py::arg("folder") = "",
       "Reads a scenario from nested dicts and lists, with the keys of files. Values may be NumPy's scalars and arrays, "
       "tuples and paths (pathlib). Raises Error with the key of a value that is something else.");
   module.def("scene_names", &scene_names,

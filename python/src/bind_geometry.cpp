@@ -11,8 +11,9 @@ namespace insonify::python {
 void bind_geometry(py::module_& module) {
   py::class_<Pose>(module, "Pose",
                    "A rigid transform, named after both frames, result first: p_world = world_from_sonar * p_sonar.\n\n"
-                   "World: right-handed, z up. Vehicle and sonar: x forward, y to port, z up. Made from a 4 x 4 "
-                   "matrix, from (position, quaternion w x y z), or by Pose.rpy().")
+                   "World: right-handed, z up. Vehicle and sonar: x forward, y to port, z up. Made from a position "
+                   "(x, y, z) [m], from a 4 x 4 matrix, from (position, quaternion w x y z), by Pose.rpy() or by "
+                   "Pose.look_at().")
       .def(py::init([](const py::object& pose) { return pose.is_none() ? Pose() : pose_from(pose, "pose"); }),
            py::arg("pose") = py::none())
       .def_static(
@@ -56,6 +57,10 @@ void bind_geometry(py::module_& module) {
             return matrix;
           },
           "Array [4, 4].")
+      .def_property_readonly(
+          "angles_deg",
+          [](const Pose& self) { return to_python(rpy_from_orientation(self.orientation), degrees_from_radians(1)); },
+          "Roll, pitch and yaw about fixed axes, as for rpy() [deg].")
       .def("inverse", &Pose::inverse)
       .def(
           "__mul__", [](const Pose& a, const Pose& b) { return a * b; }, py::is_operator())

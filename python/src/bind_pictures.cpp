@@ -100,10 +100,9 @@ void add_drawing(py::module_& module, const char* name,
       "ping has any (receiver.counts).";
   module.def(
       name,
-      [name, draw](const py::object& ping, const py::object& levels, const py::object& colour_map,
-                   const py::object& scale, const py::object& height, const py::object& annotations,
-                   const py::object& color_map, const py::object& counts, const py::kwargs& others) {
-        refuse_others(name, others, "ping, levels, colour_map (or color_map), scale, height, annotations and counts");
+      [draw](const py::object& ping, const py::object& levels, const py::object& colour_map, const py::object& scale,
+             const py::object& height, const py::object& annotations, const py::object& color_map,
+             const py::object& counts) {
         Looks looks{.levels = levels, .colour_map = colour_map_name(colour_map, color_map)};
         if (!scale.is_none()) {
           from_python(scale, "scale", 1, looks.scale);
@@ -127,14 +126,17 @@ void bind_pictures(py::module_& module) {
   module.def(
       "write_png",
       [](const py::object& path, const py::object& given) {
-        if (!py::isinstance<py::array_t<std::uint8_t>>(given)) {
-          const bool is_array = py::isinstance<py::array>(given);
-          const std::string found = is_array ? py::str(given.attr("dtype")).cast<std::string>() : shown(given);
-          throw Error("", "rgb", fmt::format(" must be an array uint8 [height, width, 3], not {}", found));
+        constexpr const char* kExpected = "an array uint8 [height, width, 3] or, for grey, [height, width]";
+        if (!py::isinstance<py::array>(given)) {
+          throw Error("", "picture", fmt::format(" = {} must be {}", shown(given), kExpected));
         }
-        const auto rgb = py::array_t<std::uint8_t, py::array::c_style>::ensure(given);
-        if (rgb.ndim() != 3 || rgb.shape(2) != 3) {
-          throw Error("", "rgb", " must be an array uint8 [height, width, 3]");
+        const auto pixels = py::array_t<std::uint8_t, py::array::c_style>::ensure(given);
+        const bool is_grey = pixels && pixels.ndim() == 2;
+        if (!py::isinstance<py::array_t<std::uint8_t>>(given) ||
+            !(is_grey || (pixels.ndim() == 3 && pixels.shape(2) == 3))) {
+          throw Error("", "picture",
+                      fmt::format(" must be {}, not {} {}", kExpected, py::str(given.attr("dtype")).cast<std::string>(),
+                                  shown(py::list(given.attr("shape")))));
         }
         const std::filesystem::path file = path_from(path, "path");
         std::string ending = file.extension().string();
@@ -142,12 +144,16 @@ void bind_pictures(py::module_& module) {
         if (ending != ".png") {
           throw Error("", "path", fmt::format(" = {} must end in .png", printable(file.string())));
         }
-        Picture picture{static_cast<int>(rgb.shape(1)), static_cast<int>(rgb.shape(0)), {}};
-        picture.rgb.assign(rgb.data(), rgb.data() + rgb.size());
+        Picture picture{static_cast<int>(pixels.shape(1)), static_cast<int>(pixels.shape(0)), {}};
+        picture.rgb.reserve(static_cast<std::size_t>(pixels.size()) * (is_grey ? 3 : 1));
+        for (py::ssize_t i = 0; i < pixels.size(); ++i) {
+          picture.rgb.insert(picture.rgb.end(), is_grey ? 3 : 1, pixels.data()[i]);
+        }
         write_png(file, picture);
       },
-      py::arg("path"), py::arg("rgb"),
-      "Writes a picture, an array uint8 [height, width, 3], to a file whose name ends in .png.");
+      py::arg("path"), py::arg("picture"),
+      "Writes a picture, an array uint8 [height, width, 3] or, for grey, [height, width], to a file whose name ends in "
+      ".png.");
 }
 
 }  // namespace insonify::python

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <pybind11/complex.h>
 #include <pybind11/numpy.h>
+#include <pybind11/stl.h>
 
 #include <memory>
 
@@ -57,7 +58,7 @@ py::tuple pickled_ping(const py::object& self) {
   });
   return py::make_tuple(ping.number, ping.time, ping.world_from_sonar, ping.head_angle, ping.bin_count, ping.beam_count,
                         tables, wrap(ping.facts->sonar), std::string(word_of(ping.facts->model)),
-                        wrap(ping.facts->receiver));
+                        wrap(ping.facts->receiver), ping.facts->names->instances, ping.facts->names->materials);
 }
 
 std::shared_ptr<PythonPing> unpickled_ping(const py::tuple& state) {
@@ -76,8 +77,10 @@ std::shared_ptr<PythonPing> unpickled_ping(const py::tuple& state) {
       ((*ping).*member).assign(values.data(), values.data() + values.size());
     }
   });
+  const LabelNames names{state[10].cast<std::vector<std::string>>(), state[11].cast<std::vector<std::string>>()};
   SonarFacts facts{.sonar = unwrap<SonarConfig>(state[7], "sonar"),
-                   .receiver = unwrap<ReceiverConfig>(state[9], "receiver")};
+                   .receiver = unwrap<ReceiverConfig>(state[9], "receiver"),
+                   .names = std::make_shared<LabelNames>(names)};
   EnumWord model{detail::word_list<EchoModel>(), 0};
   from_python(state[8], "model", 1, model);
   facts.model = words_of<EchoModel>()[model.index].second;
@@ -111,7 +114,13 @@ void bind_ping(py::module_& module) {
           "Settings of its sonar, a read-only SonarConfig; its copy() can be changed.")
       .def_property_readonly(
           "model", [](const PythonPing& self) { return std::string(word_of(self.facts->model)); },
-          "Model of the echo: calibrated or paper.");
+          "Model of the echo: calibrated or paper.")
+      .def_property_readonly(
+          "instance_names", [](const PythonPing& self) { return self.facts->names->instances; },
+          "Names of the scene's objects by index in `instance`, when the ping was made.")
+      .def_property_readonly(
+          "material_names", [](const PythonPing& self) { return self.facts->names->materials; },
+          "Names of materials by index in `material`, when the ping was made.");
   visit_tables([&](const char* name, auto member, const char* help) {
     add_table(ping, name, member, help);
     const std::string type = number_name<ValueOf<decltype(member)>>();

@@ -1,6 +1,7 @@
 // bind_scene.cpp -- insonify.Scene: from files, or built from arrays.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <pybind11/numpy.h>
 
 #include "bind.h"
@@ -8,6 +9,7 @@
 #include "insonify/files.h"
 #include "insonify/mesh.h"
 #include "insonify/printable.h"
+#include "insonify/settings_table.h"
 
 namespace insonify::python {
 namespace {
@@ -76,21 +78,37 @@ void take_materials(const py::object& material, Mesh& mesh) {
   }
 }
 
-void add(Scene& scene, const std::string& name, const Floats& vertices, const py::object& faces,
-         const py::object& material, const py::object& pose) {
+py::list instance_names(const Scene& scene) {
+  py::list names;
+  for (const Instance& instance : scene.instances) {
+    names.append(instance.present ? instance.name : "");
+  }
+  return names;
+}
+
+[[noreturn]] void throw_missing(const Scene& scene, const std::string& name) {
+  std::vector<std::string> names;
+  for (const Instance& instance : scene.instances) {
+    if (instance.present) {
+      names.push_back(instance.name);
+    }
+  }
+  throw Error("", "name",
+              fmt::format(" = {} is not in the scene, which has {}", name,
+                          names.empty() ? "no objects" : fmt::format("{}", fmt::join(names, ", "))));
+}
+
+// Adds an instance of a mesh.
+void put(Scene& scene, const std::string& name, Mesh mesh, const py::object& pose) {
   if (std::ranges::any_of(scene.instances, [&](const Instance& one) { return one.name == name; })) {
     throw Error("", "name", fmt::format(" = {} exists already", name));
   }
-  auto mesh = std::make_shared<Mesh>();
-  mesh->name = name;
-  take_vertices(vertices, *mesh);
-  take_faces(faces, *mesh);
-  take_materials(material, *mesh);
-  const MeshReport report = clean_mesh(*mesh);
+  mesh.name = name;
+  const MeshReport report = clean_mesh(mesh);
   if (const std::string text = report.dropped() > 0 ? report.text() : ""; !text.empty()) {
     warnings_log()(Severity::kWarning, name + ": " + text);
   }
-  Instance instance{.name = name, .mesh = mesh, .names_resolve = true};
+  Instance instance{.name = name, .mesh = std::make_shared<Mesh>(std::move(mesh)), .names_resolve = true};
   if (!pose.is_none()) {
     instance.world_from_mesh = pose_from(pose, "pose");
   }
@@ -98,12 +116,88 @@ void add(Scene& scene, const std::string& name, const Floats& vertices, const py
   scene.instances.push_back(std::move(instance));
 }
 
-py::list names_of(const auto& things) {
-  py::list names;
-  for (const auto& thing : things) {
-    names.append(thing.name);
+void add(Scene& scene, const std::string& name, const Floats& vertices, const py::object& faces,
+         const py::object& material, const py::object& pose) {
+  Mesh mesh;
+  take_vertices(vertices, mesh);
+  take_faces(faces, mesh);
+  take_materials(material, mesh);
+  put(scene, name, std::move(mesh), pose);
+}
+
+double length_from(py::handle given, const std::string& name) {
+  double length = 0;
+  from_python(given, name, 1, length);
+  check_field("", Field{name, "m", above_to(0, 1e6), ""}, length);
+  return length;
+}
+
+// A shape as of SDF. `sizes`: the names and values of its lengths.
+void add_shape(Scene& scene, const std::string& name, const std::string& shape, const py::dict& sizes,
+               const std::string& material, const py::object& pose) {
+  std::vector<double> lengths;
+  for (const auto& [size_name, value] : sizes) {
+    lengths.push_back(length_from(value, size_name.cast<std::string>()));
   }
-  return names;
+  Mesh mesh = shape == "box"        ? make_box({lengths[0], lengths[1], lengths[2]})
+              : shape == "sphere"   ? make_sphere(lengths[0])
+              : shape == "cylinder" ? make_cylinder(lengths[0], lengths[1])
+                                    : make_plane(Vec3::UnitZ(), lengths[0], lengths[1]);
+  mesh.material_names = {material};
+  put(scene, name, std::move(mesh), pose);
+}
+
+void add_heights(Scene& scene, const std::string& name, const Floats& heights, const py::object& spacing_x,
+                 const py::object& spacing_y, const std::string& material, const py::object& pose) {
+  const HeightGrid grid{.columns = static_cast<int>(heights.shape(1)),
+                        .rows = static_cast<int>(heights.shape(0)),
+                        .spacing_x = length_from(spacing_x, "spacing"),
+                        .spacing_y = length_from(spacing_y, "spacing"),
+                        .heights = {heights.data(), heights.data() + heights.size()},
+                        .name = name};
+  Mesh mesh = make_height_field(grid);
+  mesh.material_names = {material};
+  put(scene, name, std::move(mesh), pose);
+}
+
+// Adds the instances of another scene, moved and renamed.
+void merge(Scene& scene, const Scene& other, const py::dict& names, const std::string& material, const Pose& pose) {
+  const std::vector<Instance> instances = other.instances;  // A scene may be merged with itself.
+  for (const Instance& one : instances) {
+    if (!one.present) {
+      continue;
+    }
+    Instance added = one;
+    added.name = names[py::str(one.name)].cast<std::string>();
+    if (std::ranges::any_of(scene.instances, [&](const Instance& known) { return known.name == added.name; })) {
+      throw Error("", "name", fmt::format(" = {} exists already", added.name));
+    }
+    added.world_from_mesh = pose * one.world_from_mesh;
+    added.user_material = material.empty() ? one.user_material : material;
+    check_reach(added, added.name);
+    if (const auto place = other.places.find(one.name); place != other.places.end()) {
+      scene.places[added.name] = place->second;
+    }
+    scene.instances.push_back(std::move(added));
+  }
+}
+
+// Whether an object is `name`, or a part of it: of "ship::hull::skin" also "hull" and "skin".
+bool is_named(const std::string& scoped, const std::string& name) {
+  return ("::" + scoped + "::").find("::" + name + "::") != std::string::npos;
+}
+
+void set_material(Scene& scene, const std::string& name, const std::string& material) {
+  bool found = false;
+  for (Instance& instance : scene.instances) {
+    if (instance.present && is_named(instance.name, name)) {
+      instance.user_material = material;
+      found = true;
+    }
+  }
+  if (!found) {
+    throw_missing(scene, name);
+  }
 }
 
 }  // namespace
@@ -111,7 +205,7 @@ py::list names_of(const auto& things) {
 void bind_scene(py::module_& module) {
   py::class_<Scene>(module, "Scene",
                     "The scene to insonify: instances of meshes, each with a name, a pose and materials.")
-      .def(py::init<>(), "An empty scene, for add().")
+      .def(py::init<>(), "An empty scene, to add objects to.")
       .def_static(
           "load",
           [](const py::object& path, bool collisions, bool strict, const py::object& ignore, bool keep_water,
@@ -135,11 +229,27 @@ void bind_scene(py::module_& module) {
            "a library material or of one of the scenario's `materials`, or a list of names, one for each face. pose: "
            "where the mesh is, as of Simulator.ping(). Raises Error for a name that exists already, and for an invalid "
            "mesh; warns of dropped faces. An unknown material is an Error of the Simulator made with the scene.")
+      .def("_add_shape", &add_shape, py::arg("name"), py::arg("shape"), py::arg("sizes"), py::arg("material"),
+           py::arg("pose"))
+      .def("_add_heights", &add_heights, py::arg("name"), py::arg("heights"), py::arg("spacing_x"),
+           py::arg("spacing_y"), py::arg("material"), py::arg("pose"))
+      .def("_merge", &merge, py::arg("other"), py::arg("names"), py::arg("material"), py::arg("pose"))
+      .def("set_material", &set_material, py::arg("object"), py::arg("material"),
+           "Gives an object one material for all of it.\n\nobject: its name, in full or a part of it: that of a model, "
+           "a link or a visual. material: name of a library material or of one of the scenario's `materials`. Raises "
+           "Error for an object that is not there, with those that are; an unknown material is an Error of the "
+           "Simulator made with the scene.")
+      .def_property_readonly("instance_names", &instance_names,
+                             "Names by index in Ping.instance; \"\" where an object was removed.")
       .def_property_readonly(
-          "instance_names", [](const Scene& self) { return names_of(self.instances); },
-          "Names by index in Ping.instance.")
-      .def_property_readonly(
-          "material_names", [](const Scene& self) { return names_of(self.materials); },
+          "material_names",
+          [](const Scene& self) {
+            py::list names;
+            for (const Material& material : self.materials) {
+              names.append(material.name);
+            }
+            return names;
+          },
           "Names by index in Ping.material; empty before materials are assigned.")
       .def_property_readonly(
           "materials",
@@ -156,7 +266,7 @@ void bind_scene(py::module_& module) {
           [](const Scene& self, const std::string& name) {
             const auto found = std::ranges::find(self.instances, name, &Instance::name);
             if (found == self.instances.end()) {
-              throw Error("", "name", " = " + name + " is not in the scene");
+              throw_missing(self, name);
             }
             const Mesh& mesh = *found->mesh;
             py::array_t<double> corners(
@@ -187,11 +297,7 @@ void bind_scene(py::module_& module) {
         return fmt::format("<Scene of {}, {}>", counted(self.instances.size(), "instance"),
                            counted(self.triangle_count(), "triangle"));
       });
-  py::class_<SimulatorsScene, Scene>(module, "_SimulatorsScene", "A copy of a simulator's scene.")
-      .def("add", [](const py::object&, const py::args&, const py::kwargs&) {
-        throw py::attribute_error(
-            "this is a copy of a simulator's scene; Simulator.add() adds objects to the simulator's");
-      });
+  py::class_<SimulatorsScene, Scene>(module, "_SimulatorsScene", "A copy of a simulator's scene.");
 }
 
 }  // namespace insonify::python

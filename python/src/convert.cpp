@@ -234,14 +234,19 @@ Pose pose_from(py::handle value, const std::string& name) {
     return value.cast<Pose>();
   }
   constexpr const char* kExpected =
-      "a 4 x 4 matrix, a pair (position, quaternion w x y z), the seven numbers of these or a Pose";
+      "a position of three numbers, a 4 x 4 matrix, a pair (position, quaternion w x y z), the seven numbers of these "
+      "or a Pose";
   if (py::isinstance<py::str>(value) || PySequence_Check(value.ptr()) == 0) {
     refuse(value, name, kExpected);
   }
   const auto items = py::reinterpret_borrow<py::sequence>(value);
-  if (items.size() == 2) {
+  if (items.size() == 2 && PySequence_Check(py::object(items[0]).ptr()) != 0) {
     return pose_from_parts(numbers_from(items[0], name + "[0]", "three numbers"),
                            numbers_from(items[1], name + "[1]", "four numbers, w x y z"), name);
+  }
+  if (items.size() == 3 && PySequence_Check(py::object(items[0]).ptr()) == 0) {
+    const std::vector<double> position = numbers_from(items, name, "three numbers");
+    return pose_from_parts(position, {1, 0, 0, 0}, name);
   }
   if (items.size() == 7) {
     const std::vector<double> numbers = numbers_from(items, name, "seven numbers");

@@ -93,7 +93,8 @@ void from_python(py::handle value, const std::string& name, double scale, std::o
 /// @throws Error unless they increase and are within 400 dB, as for `--levels`.
 [[nodiscard]] std::pair<double, double> levels_from(py::handle value);
 
-/// A pose from a 4 x 4 matrix, a pair (position, quaternion w x y z), these seven numbers in a row, or a Pose.
+/// A pose from a position of three numbers, a 4 x 4 matrix, a pair (position, quaternion w x y z), these seven numbers
+/// in a row, or a Pose.
 /// @throws Error about `name`: for another shape, for values that are not finite, for a matrix that is not a rigid
 ///         transform, and for a quaternion whose norm is not within 1 % of 1.
 [[nodiscard]] Pose pose_from(py::handle value, const std::string& name);

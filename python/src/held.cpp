@@ -12,6 +12,16 @@ bool is_mapping(py::handle object) {
   return py::isinstance<py::dict>(object) || Py_IS_TYPE(object.ptr(), &PyDictProxy_Type);
 }
 
+// The same error about a member of `owner`.
+[[noreturn]] void throw_within(const std::string& owner, const std::string& object, const std::string& field,
+                               const std::string& text) {
+  const std::string own = member_name(object, field);
+  if (own.empty() || !text.starts_with(own)) {
+    throw Error(owner + ": " + text);
+  }
+  throw Error(member_name(owner, object), field, text.substr(own.size()));
+}
+
 py::object wrap_part(const PartEntry& part, const void* config, const char* frozen) {
   py::list list;
   py::dict dict;
@@ -81,6 +91,44 @@ void unwrap_part(py::handle object, const std::string& name, const PartEntry& pa
   }
 }
 
+py::object as_held(py::handle object, const std::string& name, const HeldClass& held_class) {
+  if (!py::isinstance<py::dict>(object)) {
+    return py::reinterpret_borrow<py::object>(object);
+  }
+  try {
+    return held_class.make(py::reinterpret_borrow<py::dict>(object));
+  } catch (const Error& error) {
+    throw_within(name, error.object(), error.field(), error.what());
+  } catch (const py::type_error& error) {
+    throw Error(name + ": " + error.what());
+  } catch (const py::error_already_set& error) {  // Of setting a field.
+    const py::object raised = error.value();
+    const auto text_of = [&](const char* member) {
+      return py::getattr(raised, member, py::str("")).cast<std::string>();
+    };
+    throw_within(name, text_of("object"), text_of("field"), py::str(raised));
+  }
+}
+
+py::object as_part(const py::object& value, const std::string& name, const PartEntry& part) {
+  const HeldClass& held_class = class_of(*part.table);
+  if (part.shape == PartShape::kStruct || part.shape == PartShape::kOptional) {
+    return as_held(value, name, held_class);
+  }
+  if (part.shape == PartShape::kList) {
+    py::list list;
+    for (const py::handle one : value) {
+      list.append(as_held(one, fmt::format("{}[{}]", name, list.size()), held_class));
+    }
+    return list;
+  }
+  py::dict dict;
+  for (const std::pair<py::handle, py::handle> item : py::dict(value)) {
+    dict[item.first] = as_held(item.second, member_name(name, item.first.cast<std::string>()), held_class);
+  }
+  return dict;
+}
+
 void unwrap_parts(const Parts& parts, const std::string& name, Settings settings) {
   for (const PartEntry& part : settings.table->parts) {
     unwrap_part(parts.at(std::string(part.name)), member_name(name, part.name), part, settings.config);
@@ -94,7 +142,7 @@ py::object thawed(const py::object& part) {
 }
 
 void refuse_class(py::handle object, const std::string& name, const std::string& expected) {
-  throw Error("", name, fmt::format(" = {} must be a {}", shown(object), expected));
+  throw Error("", name, fmt::format(" = {} must be a {} or a dict of its fields", shown(object), expected));
 }
 
 }  // namespace insonify::python

@@ -44,6 +44,7 @@ Config unwrap(py::handle object, const std::string& name);
 /// The Python class of a configuration, for code that knows only its table.
 struct HeldClass {
   std::string name;
+  py::object (*make)(const py::dict& fields);  ///< @throws as setting a field does
   py::object (*wrap)(const void* config, const char* frozen);
   void (*unwrap)(py::handle object, const std::string& name, void* config);
 };
@@ -57,10 +58,17 @@ struct HeldClass {
 void unwrap_part(py::handle object, const std::string& name, const PartEntry& part, void* config);
 void unwrap_parts(const Parts& parts, const std::string& name, Settings settings);
 
+/// An object of a configuration's class from the dict that stands for it; other objects as they are.
+/// @throws Error about `name` for a dict with an unknown key or a value that is refused.
+[[nodiscard]] py::object as_held(py::handle object, const std::string& name, const HeldClass& held_class);
+
+/// A value for a part, with objects for the dicts in it, in a list or dict of its own.
+[[nodiscard]] py::object as_part(const py::object& value, const std::string& name, const PartEntry& part);
+
 /// A part, with the tuple or view of a frozen object converted back to a list or dict.
 [[nodiscard]] py::object thawed(const py::object& part);
 
-/// @throws Error "sonars[0] = 3 must be a SonarConfig"
+/// @throws Error "sonars[0] = 3 must be a SonarConfig or a dict of its fields"
 [[noreturn]] void refuse_class(py::handle object, const std::string& name, const std::string& expected);
 
 template <typename Config>
@@ -79,7 +87,7 @@ void forget_text(Config& config) {
 
 /// The configuration that a Python object stands for, with its parts as they are now.
 /// @param name  Its name in messages: "sonars[0]".
-/// @throws Error for an object of another class.
+/// @throws Error for an object of another class, and as as_held().
 template <typename Config>
 Config unwrap(py::handle object, const std::string& name) {
   if constexpr (std::is_same_v<Config, MaterialOverride>) {
@@ -87,10 +95,12 @@ Config unwrap(py::handle object, const std::string& name) {
       return {.like = object.cast<std::string>()};
     }
   }
-  if (!py::isinstance<Held<Config>>(object)) {
-    refuse_class(object, name, class_of(table_of<Config>()).name);
+  const HeldClass& held_class = class_of(table_of<Config>());
+  const py::object made = as_held(object, name, held_class);
+  if (!py::isinstance<Held<Config>>(made)) {
+    refuse_class(object, name, held_class.name);
   }
-  const auto& held = object.cast<const Held<Config>&>();
+  const auto& held = made.cast<const Held<Config>&>();
   Config config = held.value;
   unwrap_parts(held.parts, name, config);
   if constexpr (std::is_same_v<Config, Scenario>) {

@@ -70,7 +70,8 @@ void bind_error(py::module_& module) {
 Log warnings_log() {
   return [](Severity severity, const std::string& message) {
     const Locked locked;
-    if (severity == Severity::kWarning && PyErr_WarnEx(warning_class.ptr(), message.c_str(), 1) != 0) {
+    // Of the caller's line: insonify/_calls.py calls what it called.
+    if (severity == Severity::kWarning && PyErr_WarnEx(warning_class.ptr(), message.c_str(), 2) != 0) {
       throw py::error_already_set();  // If warnings are errors.
     }
   };

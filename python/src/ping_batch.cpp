@@ -54,7 +54,8 @@ class Batch {
 // The poses of ping_batch() as a sequence with a length.
 py::object pose_items(const py::object& poses) {
   constexpr const char* kExpected =
-      " must be a list of poses, at least one, an array [n, 4, 4] or [n, 7], or a tuple of arrays [n, 3] and [n, 4]";
+      " must be a list of poses, at least one, an array [n, 3], [n, 4, 4] or [n, 7], or a tuple of arrays [n, 3] and "
+      "[n, 4]";
   const auto has_columns = [](const py::object& one, py::ssize_t columns) {
     return py::isinstance<py::array>(one) && one.cast<py::array>().ndim() == 2 &&
            one.cast<py::array>().shape(1) == columns;
@@ -62,8 +63,8 @@ py::object pose_items(const py::object& poses) {
   py::object items = poses;
   if (py::isinstance<py::array>(poses)) {
     const auto array = poses.cast<py::array>();
-    const bool fits = (array.ndim() == 3 && array.shape(1) == 4 && array.shape(2) == 4) || has_columns(poses, 7) ||
-                      (array.ndim() == 1 && array.dtype().kind() == 'O');
+    const bool fits = (array.ndim() == 3 && array.shape(1) == 4 && array.shape(2) == 4) || has_columns(poses, 3) ||
+                      has_columns(poses, 7) || (array.ndim() == 1 && array.dtype().kind() == 'O');
     if (!fits) {
       throw Error("", "poses", fmt::format("{}, not one {}", kExpected, shown(poses.attr("shape"))));
     }
@@ -105,16 +106,30 @@ py::object pose_items(const py::object& poses) {
 }  // namespace
 
 PythonSimulator::Asked asked_from(const py::object& pose) {
+  if (py::isinstance<py::dict>(pose)) {
+    return py::type::of<PythonSimulator::Asked>()(**py::dict(pose)).cast<PythonSimulator::Asked>();
+  }
   return py::isinstance<PythonSimulator::Asked>(pose) ? pose.cast<PythonSimulator::Asked>()
                                                       : PythonSimulator::Asked{.pose = pose};
 }
 
-py::dict ping_batch(PythonSimulator& self, const py::object& sonar_, const py::object& given, const py::object& times) {
-  const int sonar = self.sonar(sonar_);
-  const py::object poses = pose_items(given);
-  if (!times.is_none() && (PySequence_Check(times.ptr()) == 0 || py::len(times) != py::len(poses))) {
-    throw Error("", "times", fmt::format(" must be a list of {} numbers, one for each pose", py::len(poses)));
-  }
+bool is_pose(py::handle given) {
+  return py::isinstance<Pose>(given) || py::isinstance<PythonSimulator::Asked>(given) ||
+         (!py::isinstance<py::str>(given) && py::hasattr(given, "__iter__"));
+}
+
+py::dict ping_batch(PythonSimulator& self, const py::object& sonar_, const py::object& given, const py::object& times,
+                    const py::object& numbers) {
+  const bool no_sonar = given.is_none() && is_pose(sonar_);
+  const int sonar = no_sonar ? 0 : self.sonar(sonar_);
+  const py::object poses = pose_items(no_sonar ? sonar_ : given);
+  const auto check_count = [&](const py::object& values, const char* name, const char* kind) {
+    if (!values.is_none() && (PySequence_Check(values.ptr()) == 0 || py::len(values) != py::len(poses))) {
+      throw Error("", name, fmt::format(" must be a list of {} {}, one for each pose", py::len(poses), kind));
+    }
+  };
+  check_count(times, "times", "numbers");
+  check_count(numbers, "numbers", "whole numbers");
   std::vector<PingRequest> requests;
   for (std::size_t i = 0; i < py::len(poses); ++i) {
     const py::object pose = poses[py::int_(i)];
@@ -123,6 +138,11 @@ py::dict ping_batch(PythonSimulator& self, const py::object& sonar_, const py::o
       double time = 0;
       from_python(times[py::int_(i)], fmt::format("times[{}]", i), 1, time);
       asked.time = py::float_(time);
+    }
+    if (!numbers.is_none()) {
+      std::uint64_t number = 0;
+      from_python(numbers[py::int_(i)], fmt::format("numbers[{}]", i), 1, number);
+      asked.number = py::int_(number);
     }
     if (asked.number.is_none() && !requests.empty()) {
       asked.number = py::int_(requests.back().number + 1);

@@ -34,7 +34,9 @@ struct PythonRecording {
   const std::shared_ptr<const SonarFacts>& known() {
     if (facts == nullptr) {
       const EchoModel model = pings.model() == "paper" ? EchoModel::kPaper : EchoModel::kCalibrated;
-      facts = std::make_shared<SonarFacts>(SonarFacts{pings.sonar_config(), model, pings.receiver_config()});
+      facts = std::make_shared<SonarFacts>(SonarFacts{
+          pings.sonar_config(), model, pings.receiver_config(),
+          std::make_shared<LabelNames>(LabelNames{tables.texts("instance_names"), tables.texts("material_names")})});
     }
     return facts;
   }

@@ -64,19 +64,20 @@ void PythonSimulator::make_pools() {
 
 std::shared_ptr<const PythonSimulator::Known> PythonSimulator::look() {
   const Scenario& scenario = simulator_.scenario();
+  auto names = std::make_shared<LabelNames>();
+  for (const Instance& instance : simulator_.scene().instances) {
+    names->instances.push_back(instance.present ? instance.name : "");
+  }
+  for (const Material& material : simulator_.scene().materials) {
+    names->materials.push_back(material.name);
+  }
   facts_.clear();
   for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
     const SonarConfig& sonar = simulator_.sonar(static_cast<int>(i));
-    facts_.push_back(std::make_shared<SonarFacts>(SonarFacts{sonar, scenario.model, scenario.receiver_of(sonar)}));
+    facts_.push_back(
+        std::make_shared<SonarFacts>(SonarFacts{sonar, scenario.model, scenario.receiver_of(sonar), names}));
   }
-  auto known = std::make_shared<Known>(Known{scenario, ScenarioRequests(scenario), facts_, {}, {}});
-  for (const Instance& instance : simulator_.scene().instances) {
-    known->instance_names.push_back(instance.name);
-  }
-  for (const Material& material : simulator_.scene().materials) {
-    known->material_names.push_back(material.name);
-  }
-  return known;
+  return std::make_shared<Known>(Known{scenario, ScenarioRequests(scenario), facts_, std::move(names)});
 }
 
 int PythonSimulator::sonar(const py::object& sonar) const {

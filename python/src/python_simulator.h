@@ -98,7 +98,7 @@ class PythonSimulator {
     Scenario scenario;
     ScenarioRequests requests;
     std::vector<std::shared_ptr<const SonarFacts>> facts;  ///< [sonar]
-    std::vector<std::string> instance_names, material_names;
+    std::shared_ptr<const LabelNames> names;
   };
   [[nodiscard]] const Known& known() const { return *known_; }
 

@@ -79,6 +79,21 @@ inline std::string part_type(const PartEntry& part) {
   }
 }
 
+/// The same where it is given: dicts stand for structs.
+inline std::string given_part_type(const PartEntry& part) {
+  const std::string one = class_of(*part.table).name + " | dict[str, Any]";
+  switch (part.shape) {
+    case PartShape::kOptional:
+      return one + " | None";
+    case PartShape::kList:
+      return "Sequence[" + one + "]";
+    case PartShape::kMap:
+      return "Mapping[str, " + one + " | str]";
+    default:
+      return one;
+  }
+}
+
 /// NumPy's name of the type of a table's values.
 template <typename Value>
 constexpr const char* number_name() {

@@ -97,10 +97,27 @@ class ArgumentsTest(unittest.TestCase):
         self.assertEqual(
             self.message(lambda: simulator().ping(foo=1), TypeError),
             "ping() has no argument 'foo'; it takes sonar, pose, time, number, twist, moved and head_angle")
-        self.assertEqual(
-            self.message(lambda: insonify.fan(ping, cmap="grey"), TypeError),
-            "draw_fan() has no argument 'cmap'; it takes ping, levels, colour_map (or color_map), scale, height, annotations "
-            "and counts")
+        self.assertEqual(self.message(lambda: insonify.fan(ping, cmap="grey"), TypeError),
+                         "draw_fan() got an unexpected keyword argument 'cmap'")
+
+    def test_small_pictures_are_averages_without_letters(self):
+        ping = simulator().ping()
+        large = insonify.fan(ping, height=240, annotations=False).astype(float)
+        small = insonify.fan(ping, height=80)
+        self.assertEqual(small.shape, (80, large.shape[1] // 3, 3))
+        self.assertEqual(small[40, 20].tolist(), np.rint(large[120:123, 60:63].mean(axis=(0, 1))).tolist())
+        for options, message in (({"height": 15}, "height = 15 pixels must be from 16 to 8192 pixels"),
+                                 ({"height": 100, "annotations": True},
+                                  "annotations need a height of at least 240 pixels, not 100")):
+            self.assertEqual(self.message(lambda: insonify.draw_polar(ping, **options)), message)
+
+    def test_grey_pictures_and_notebooks(self):
+        grey = np.arange(12, dtype=np.uint8).reshape(3, 4) * 20
+        insonify.write_png("grey.png", grey)
+        insonify.write_png("rgb.png", np.repeat(grey[:, :, None], 3, axis=2))
+        self.assertEqual(pathlib.Path("grey.png").read_bytes(), pathlib.Path("rgb.png").read_bytes())
+        shown = simulator().ping()._repr_png_()
+        self.assertEqual((shown[:4], int.from_bytes(shown[20:24], "big")), (b"\x89PNG", 480))
 
     def test_formulas_name_the_argument(self):
         kinds = " must be a number or an array of numbers"
@@ -124,8 +141,9 @@ class ArgumentsTest(unittest.TestCase):
     def test_fields_are_given_once_and_by_their_names(self):
         self.assertEqual(self.message(lambda: insonify.SonarConfig(azimuth_aperture=1, azimuth_aperture_deg=90)),
                          "azimuth_aperture is given twice: in radians, and in degrees as azimuth_aperture_deg")
-        self.assertEqual(self.message(lambda: insonify.SonarConfig(preset="tritech-gemini-720i"), TypeError),
-                         "SonarConfig has no field 'preset'; SonarConfig.preset(name, **fields) makes the sonar of a preset")
+        self.assertEqual(insonify.SonarConfig(preset="tritech-gemini-1200ik", mode="high", max_range=12),
+                         insonify.SonarConfig.preset("tritech-gemini-1200ik", "high", max_range=12))
+        self.assertEqual(self.message(lambda: insonify.SonarConfig(mode="high")), "mode belongs to a preset, and none is named")
         self.assertEqual(self.message(lambda: insonify.SonarConfig(copy=1), TypeError), "SonarConfig has no field 'copy'")
         self.assertEqual(self.message(lambda: insonify.Water(preset=1), TypeError), "Water has no field 'preset'")
         rule = "sonar.name must not be empty, start with '.' or hold a slash, a backslash or a control character"

@@ -90,7 +90,7 @@ class ConfigTest(unittest.TestCase):
         scenario.materials["hull"] = "steel"
         self.assertIn("steel", scenario.to_yaml())
         scenario.sonars.append(3)
-        with self.assertRaisesRegex(insonify.Error, r"sonars\[52\] = 3 must be a SonarConfig"):
+        with self.assertRaisesRegex(insonify.Error, r"sonars\[52\] = 3 must be a SonarConfig or a dict of its fields$"):
             scenario.to_yaml()
         with self.assertRaisesRegex(insonify.Error, "must be a list"):
             scenario.sonars = 5
@@ -118,7 +118,77 @@ class ConfigTest(unittest.TestCase):
              "trajectory": [{"time": 0, "position": [0, 0, 0]}, {"time": 10, "position": [5, 0, 0]}]})
         self.assertEqual(made.to_yaml(), text.to_yaml())
 
+    def test_dicts_stand_for_structs(self):
+        made = insonify.Scenario(sonars=[{"preset": "tritech-gemini-720i", "max_range": 12, "sampling": {"rows": 20}}],
+                                 water={"salinity": 0}, materials={"hull": {"like": "steel", "density": 7000}, "net": "rubber"},
+                                 surface={"level": 3})
+        self.assertEqual(made.sonars[0], insonify.SonarConfig.preset("tritech-gemini-720i", max_range=12,
+                                                                     sampling=insonify.Sampling(rows=20)))
+        self.assertEqual((made.water.salinity, made.materials["hull"].density, made.surface.level), (0, 7000, 3))
+        made.sonars.append({"name": "second", "max_range": 3})
+        self.assertIn('name: "second"', made.to_yaml())
+        self.assertEqual(insonify.acoustics.absorption_db_per_m(7e5, {"salinity": 0}),
+                         insonify.acoustics.absorption_db_per_m(7e5, insonify.Water(salinity=0)))
+        for fields, told in (({"sonars": [{"max_rnage": 3}]}, "sonars[0]: SonarConfig has no field 'max_rnage'; did you mean max_range?"),
+                             ({"sonars": [{}, {"max_range": -3}]},
+                              "sonars[1].max_range = -3 m must be greater than 0, at most 100000 m"),
+                             ({"sonars": [{"sampling": {"rows": 1}}]}, "sonars[0].sampling.rows = 1 must be from 2 to 8192"),
+                             ({"materials": {"hull": {"density": "x"}}}, "materials.hull.density = 'x' must be a number"),
+                             ({"water": 3}, "water = 3 must be a Water or a dict of its fields")):
+            with self.assertRaises(insonify.Error) as caught:
+                insonify.Scenario(**fields)
+            self.assertEqual(str(caught.exception), told)
+
+    def test_a_simulator_takes_what_describes_a_scenario(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "s.yaml")
+            path.write_text(TEXT.replace("world: none", "world: floor.obj"))
+            floor = pathlib.Path(folder, "floor.obj")
+            floor.write_text("v -20 -20 -2\nv 20 -20 -2\nv 20 20 -2\nf 1 2 3\n")
+            expected = insonify.Simulator(insonify.Scenario.load(path)).ping().intensity
+            self.assertGreater(np.count_nonzero(expected), 0)
+            settings = {"max_range": 12, "sonars[0].name": "ahead"}
+            for given in ((str(path),), (path,), (insonify.load(path),), (insonify.load(path, settings),),
+                          (TEXT and insonify.Scenario.from_text(TEXT), floor)):
+                np.testing.assert_array_equal(insonify.Simulator(*given).ping().intensity, expected)
+        sonar = {"preset": "tritech-gemini-720i", "max_range": 12, "beam_count": 16}
+        points = [{"position": [8, 0.5, 0], "target_strength_db": -10}]
+        scene = insonify.Scene()
+        scene.sphere(radius=1, pose=(8, 0, 0))
+        for given in (({"world": "none", "sonars": [sonar], "points": points},), ({"sonars": [sonar]}, scene), (insonify.SonarConfig(**sonar), scene)):
+            self.assertEqual(insonify.Simulator(*given).ping().shape, (1000, 16))
+
+    # The settings of a simulator's sonar are filled in; those that follow from its range must not stay as they were.
+    def test_what_follows_from_the_range_of_a_copy_follows_it(self):
+        def settings(**sonar):
+            given = insonify.Scenario.from_dict({"water": {"temperature_c": 4}, "sonars": [{"name": "fls", **sonar}],
+                                                 "points": [{"position": [8, 0.5, 0], "target_strength_db": -10}]})
+            return insonify.Simulator(given).sonar()
+
+        longer, narrower = {"max_range": 4.5}, {"max_range": 3.0, "min_range": 0.9}
+        for one, new in (({"preset": "tritech-gemini-720i"}, longer), ({"preset": "tritech-gemini-720i"}, narrower),
+                         ({"preset": "blueprint-oculus-m750d", "mode": "high"}, longer), ({}, narrower),
+                         ({"preset": "soundmetrics-aris-explorer-3000"}, longer), ({"preset": "bluerobotics-ping360"}, narrower),
+                         ({"preset": "tritech-gemini-720i", "bin_count": 200}, longer), ({"ping_period": 0.5}, longer)):
+            with self.subTest(sonar=one, range=new):
+                wanted, before = settings(**one, **new), settings(**one, max_range=2.5)
+                self.assertEqual(before.copy(**new), wanted)
+                step = before.copy()
+                for name, value in new.items():
+                    setattr(step, name, value)
+                self.assertEqual(step, wanted)
+        sim = insonify.Simulator({"world": "none", "points": [{"position": [8, 0.5, 0], "target_strength_db": -10}],
+                                  "sonars": [{"preset": "tritech-gemini-720i", "max_range": 15}]})
+        sim.set_sonar(max_range=30)
+        self.assertEqual((sim.sonar().max_range, sim.ping().shape), (30, (1000, 256)))
+        sim.set_sonar(0, {"max_range": 2})
+        self.assertEqual((sim.sonar().max_range, sim.ping().sonar.bin_count), (2, sim.sonar().bin_count))
+        self.assertLess(sim.sonar().bin_count, 1000)
+
     def test_presets(self):
+        self.assertEqual(list(insonify.presets()), insonify.preset_names())
+        self.assertEqual(insonify.presets()["tritech-micron-dst"].max_range, 75)
+        self.assertEqual(insonify.materials()["steel"].density, 7850)
         self.assertIn("tritech-gemini-720i", insonify.preset_names())
         sonar = insonify.SonarConfig.preset("tritech-gemini-720i", max_range=20)
         self.assertEqual((sonar.beam_count, sonar.max_range), (256, 20))

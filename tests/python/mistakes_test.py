@@ -65,7 +65,11 @@ class MistakesTest(unittest.TestCase):
     def test_arguments_of_another_kind_are_named(self):
         given = scenario()
         self.assertEqual(
-            self.message(lambda: insonify.Simulator(given, "x")), "scene = 'x' must be a Scene or None"
+            self.message(lambda: insonify.Simulator(given, 5)), "scene = 5 must be a Scene, the path of one or None"
+        )
+        self.assertEqual(
+            self.message(lambda: insonify.Simulator(5)),
+            "scenario = 5 must be a Scenario, the path of one, a dict of its keys or a SonarConfig",
         )
         self.assertEqual(
             self.message(lambda: insonify.Simulator(given, threads=1.5)), "threads = 1.5 must be a whole number"
@@ -74,12 +78,46 @@ class MistakesTest(unittest.TestCase):
         self.assertEqual(self.message(lambda: insonify.draw_polar("x")), "ping = 'x' must be a Ping")
         self.assertEqual(
             self.message(lambda: insonify.write_png("x.png", np.zeros((3, 4, 3)))),
-            "rgb must be an array uint8 [height, width, 3], not float64",
+            "picture must be an array uint8 [height, width, 3] or, for grey, [height, width], not float64 [3, 4, 3]",
+        )
+        self.assertEqual(
+            self.message(lambda: insonify.write_png("x.png", np.zeros((3, 4, 2), np.uint8))),
+            "picture must be an array uint8 [height, width, 3] or, for grey, [height, width], not uint8 [3, 4, 2]",
         )
         self.assertEqual(
             self.message(lambda: insonify.write_png("x.png", 7)),
-            "rgb must be an array uint8 [height, width, 3], not 7",
+            "picture = 7 must be an array uint8 [height, width, 3] or, for grey, [height, width]",
         )
+
+    def test_a_call_that_is_refused_says_what_was_given(self):
+        sim, scene = insonify.Simulator(scenario()), insonify.Scene()
+        for act, kind, message in (
+            (lambda: insonify.Simulator(), TypeError, "Simulator() needs scenario; it takes scenario, scene, threads and movable"),
+            (lambda: insonify.Recording("a.h5", 3), insonify.Error, "simulator = 3 must be a Simulator"),
+            (lambda: insonify.SonarConfig("gemini"), TypeError, "SonarConfig() takes its fields by keyword, not 'gemini'"),
+            (lambda: insonify.Scene.load("x.obj", colisions=True), TypeError,
+             "load() has no argument 'colisions'; did you mean collisions?"),
+            (lambda: insonify.Scene.load("x.obj", strict="no"), insonify.Error, "strict = 'no' must be True or False"),
+            (lambda: scene.add("x", "here", [[0, 1, 2]]), insonify.Error, "vertices = 'here' must be an array of numbers"),
+            (lambda: scene.triangles(3), insonify.Error, "name = 3 must be text"),
+            (lambda: scene.triangles("x"), insonify.Error, "name = x is not in the scene, which has no objects"),
+            (lambda: scene.set_material("x"), TypeError, "set_material() needs material; it takes object and material"),
+            (lambda: sim.add(3), insonify.Error, "objects = 3 must be a Scene"),
+            (lambda: sim.ping(0, None, 0, 0, None), TypeError,
+             "ping() was given 5 arguments without a name; it takes sonar, pose, time, number, twist, moved and head_angle, "
+             "the last 3 by their names"),
+            (lambda: sim.ping("ahead", sonar=0), TypeError, "ping() was given sonar twice, by its place and by its name"),
+            (lambda: insonify.Scenario.from_text(3), insonify.Error, "text = 3 must be text"),
+            (lambda: insonify.acoustics.sphere_cross_section(), TypeError,
+             "sphere_cross_section() needs radius; it takes radius and range"),
+            (lambda: insonify.materials()["steel"].reflection_at("x"), insonify.Error, "frequency = 'x' must be a number"),
+            (lambda: insonify.load("a.h5"), insonify.Error,
+             "a.h5: is not a scenario but a recording; insonify.open() reads it"),
+            (lambda: insonify.load("a.STL"), insonify.Error,
+             "a.STL: is not a scenario but a mesh; insonify.Scene.load() reads it"),
+        ):
+            with self.subTest(message):
+                self.assertEqual(self.message(act, kind), message)
 
     def test_recordings_take_slices(self):
         simulator = insonify.Simulator(scenario())

@@ -11,7 +11,7 @@ import unittest
 import numpy as np
 
 import insonify
-from kit import FLOOR, TEXT, floor_scene, simulator
+from kit import FLOOR, SOURCES, TEXT, floor_scene, simulator
 
 
 class PingTest(unittest.TestCase):
@@ -152,8 +152,8 @@ class PingTest(unittest.TestCase):
         for arguments, text in (
                 ({"sonar": "astern"}, "sonar = 'astern' does not exist; available: ahead"),
                 ({"sonar": 4}, "sonar = 4 must be from 0 to 0"),
-                ({"pose": "here"}, "pose = 'here' must be a 4 x 4 matrix"),
-                ({"pose": np.eye(3)}, "must be a 4 x 4 matrix"),
+                ({"pose": "here"}, "pose = 'here' must be a position of three numbers, a 4 x 4 matrix"),
+                ({"pose": np.eye(3)}, "must be a position of three numbers, a 4 x 4 matrix"),
                 ({"pose": 2 * np.eye(4)}, "pose must be a rigid transform"),
                 ({"pose": ((0, 0, 0), (2, 0, 0, 0))}, "must have a norm of 1"),
                 ({"pose": ((0, 0, float("nan")), (1, 0, 0, 0))}, "nan"),
@@ -190,11 +190,78 @@ class PingTest(unittest.TestCase):
         self.assertGreater(np.count_nonzero(here.instance == label), 0)
         self.assertEqual(np.count_nonzero(away.instance == label), 0)
         sim.remove("box")
+        self.assertEqual((sim.instance_names, here.instance_names), (["floor", ""], ["floor", "box"]))
+        self.assertEqual(sim.scene.instance_names, ["floor", ""])
         np.testing.assert_array_equal(sim.ping(number=0).intensity, away.intensity)
         more = insonify.Scene()
         more.add("again", box, faces, material="rock", pose=((4, 0, -2), (1, 0, 0, 0)))
         index = sim.add(more)
         self.assertGreater(np.count_nonzero(sim.ping(number=0).instance == index), 0)
+
+    def test_a_ping_has_its_ranges_and_names(self):
+        ping = simulator().ping()
+        np.testing.assert_array_equal(ping.ranges, ping.sonar.bin_ranges())
+        np.testing.assert_array_equal(ping.azimuths, ping.sonar.azimuths())
+        self.assertEqual((ping.instance_names, ping.material_names), (["floor"], ["sand"]))
+
+    def test_scenes_are_built_of_shapes(self):
+        scene = insonify.Scene()
+        self.assertEqual(scene.box("crate", (2, 1, 4), "wood", (5, 0, 0)), "crate")
+        self.assertEqual([scene.box(2, material=insonify.materials()["steel"]), scene.box(), scene.sphere(0.5, pose=(9, 0, 1)),
+                          scene.plane((20, 10), pose=(0, 0, -3)), scene.cylinder("pile", 0.2, 6)],
+                         ["box", "box_2", "sphere", "plane", "pile"])
+        for name, low, high in (("crate", (4, -0.5, -2), (6, 0.5, 2)), ("box", (-1, -1, -1), (1, 1, 1)),
+                                ("box_2", (-0.5, -0.5, -0.5), (0.5, 0.5, 0.5)), ("sphere", (8.5, -0.5, 0.5), (9.5, 0.5, 1.5)),
+                                ("plane", (-10, -5, -3), (10, 5, -3)), ("pile", (-0.2, -0.2, -3), (0.2, 0.2, 3))):
+            corners = scene.triangles(name).reshape(-1, 3)
+            np.testing.assert_allclose([corners.min(axis=0), corners.max(axis=0)], [low, high], atol=2e-3, err_msg=name)
+        scene.set_material("box", "mud")
+        materials = insonify.Simulator(insonify.Scenario.from_text(TEXT), scene).ping().material_names
+        self.assertEqual(materials, ["wood", "mud", "sand"])
+        for act, text in ((lambda: scene.box(size=(1, 2)), "size = (1, 2) must be 3 numbers, or one for all"),
+                          (lambda: scene.box(size=(1, 2, 0)), "size[2] = 0 m must be greater than 0, at most 1000000 m"),
+                          (lambda: scene.sphere(radius="x"), "radius = 'x' must be a number"),
+                          (lambda: scene.box("crate"), "name = crate exists already"),
+                          (lambda: scene.box("x", material=3), "material = 3 must be a name or a Material"),
+                          (lambda: scene.box("x", material=insonify.Material(density=3000)),
+                           "material has no name: one of your own is an entry of the scenario's `materials`, whose name is given here"),
+                          (lambda: scene.set_material("boxx", "mud"),
+                           "name = boxx is not in the scene, which has crate, box, box_2, sphere, plane, pile")):
+            with self.assertRaises(insonify.Error) as caught:
+                act()
+            self.assertEqual(str(caught.exception), text)
+
+    def test_heights_lie_as_in_pictures(self):
+        scene = insonify.Scene()
+        grid = np.zeros((3, 5))
+        grid[0, 4] = 1.5  # The north-east corner.
+        self.assertEqual(scene.heights(grid - 10, spacing=(2, 0.5)), "heights")
+        corners = scene.triangles("heights").reshape(-1, 3)
+        np.testing.assert_allclose([corners.min(axis=0), corners.max(axis=0)], [(-4, -0.5, -10), (4, 0.5, -8.5)])
+        np.testing.assert_allclose(corners[np.argmax(corners[:, 2])], (4, 0.5, -8.5))
+        with self.assertRaisesRegex(insonify.Error, r"^heights must be an array \[rows, columns\] of at least 2 x 2, not \[3\]$"):
+            scene.heights([1, 2, 3])
+
+    def test_scenes_and_files_are_merged(self):
+        ship = insonify.Scene()
+        ship.box("ship::mast", (0.1, 0.1, 3), pose=(0, 0, 2))
+        ship.box("ship::hull", (5, 1, 1), "steel")
+        scene = floor_scene()
+        self.assertEqual(scene.merge(ship, pose=insonify.Pose((9, 0, 0), angles_deg=(0, 0, 90))), ["ship::mast", "ship::hull"])
+        self.assertEqual(scene.merge(ship, "wreck", "mud", (0, 9, 0)), ["wreck::mast", "wreck::hull"])
+        np.testing.assert_allclose(np.abs(scene.triangles("ship::hull") - (9, 0, 0)).max(axis=(0, 1)), (0.5, 2.5, 0.5))
+        scene.merge(scene, "copy", pose=(0, 0, 50))
+        self.assertEqual(scene.instance_names[5:], ["copy::floor", "copy::ship::mast", "copy::ship::hull", "copy::wreck::mast",
+                                                    "copy::wreck::hull"])
+        self.assertEqual(scene.add_file(SOURCES / "scenes/sphere.sdf", "other", pose=(0, 0, -40))[-1], "other::sphere::link::sphere")
+        scene.set_material("sphere", "ice")
+        sim = insonify.Simulator(insonify.Scenario.from_text(TEXT), scene)
+        self.assertEqual(set(sim.material_names), {"sand", "steel", "mud", "ice"})
+        with self.assertRaisesRegex(insonify.Error, "^name = ship::mast exists already; give what is added another `name`$"):
+            scene.merge(ship)
+        for method in ("box", "heights", "merge", "add_file", "set_material"):
+            with self.assertRaisesRegex(AttributeError, "this is a copy of a simulator's scene"):
+                getattr(sim.scene, method)("x")
 
     def test_sonars_change(self):
         sim = simulator()

@@ -81,7 +81,7 @@ class PickleTest(unittest.TestCase):
         cls.simulator = insonify.Simulator(cls.scenario)
 
     def assert_same_ping(self, found, expected):
-        for name in ("number", "time", "pose", "head_angle", "shape", "sonar", "model"):
+        for name in ("number", "time", "pose", "head_angle", "shape", "sonar", "model", "instance_names", "material_names"):
             self.assertEqual(getattr(found, name), getattr(expected, name), name)
         for name in TABLES:
             wanted, got = getattr(expected, name), getattr(found, name)

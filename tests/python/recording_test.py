@@ -74,6 +74,9 @@ class RecordingTest(unittest.TestCase):
             np.testing.assert_array_equal(rec.intensity, [ping.intensity for ping in made])
             np.testing.assert_array_equal(rec[-1].intensity, made[2].intensity)
             self.assertEqual([ping.number for ping in rec], [0, 1, 2])
+            self.assertEqual((rec[1].instance_names, rec[1].material_names), (["floor"], ["sand"]))
+            np.testing.assert_array_equal(rec.ranges, rec.range)
+            np.testing.assert_allclose(rec.azimuths, rec.azimuth)
             with self.assertRaises(IndexError):
                 rec[3]
         with self.assertRaisesRegex(insonify.Error, "no such file"):
@@ -154,6 +157,8 @@ class PictureTest(unittest.TestCase):
     def test_decibels(self):
         levels = insonify.to_db(np.array([1, 0.1, 0, np.nan, 1e-30]))
         np.testing.assert_allclose(levels, [0, -10, -200, np.nan, -200], atol=1e-5)
+        ping = simulator().ping()
+        np.testing.assert_array_equal(insonify.to_db(ping), insonify.to_db(ping.intensity))
 
 
 if __name__ == "__main__":

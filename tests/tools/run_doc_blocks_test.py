@@ -1,5 +1,6 @@
 """The runner of documentation blocks runs what it should, and notices what fails."""
 
+import json
 import pathlib
 import subprocess
 import sys
@@ -9,9 +10,9 @@ import unittest
 RUNNER = pathlib.Path(__file__).resolve().parents[2] / "tools/run_doc_blocks.py"
 
 
-def run_in(folder, text, *options):
+def run_in(folder, text, *options, name="page.md"):
     """Exit status and output of the runner on a document, with the document's name taken out."""
-    document = pathlib.Path(folder) / "page.md"
+    document = pathlib.Path(folder) / name
     document.write_text(text, encoding="utf-8")
     done = subprocess.run([sys.executable, RUNNER, "--build", folder, *options, document], stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, check=False)
@@ -114,6 +115,20 @@ class RunDocBlocksTest(unittest.TestCase):
     def test_a_console_block_needs_a_block_that_ran(self):
         status, output = run(block("console", "a"))
         self.assertEqual((status, output), (1, "page.md:2: nothing ran before this block\n"))
+
+    def test_a_notebook_is_one_program_and_prints_what_it_stores(self):
+        def cell(source, printed=()):
+            return {"cell_type": "code", "source": [source], "outputs": [{"output_type": "stream", "text": [one]} for one in printed]}
+
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "python").mkdir()
+            (pathlib.Path(folder) / "python/insonify.py").touch()
+            cells = [{"cell_type": "markdown", "source": ["# Text"]}, cell("x = 3"), cell("print(x)\nx", ["3\n"]),
+                     cell("print(x + 1)", ["4\n"])]
+            self.assertEqual(run_in(folder, json.dumps({"cells": cells}), name="a.ipynb"), (0, "a.ipynb: 1 blocks ran\n"))
+            cells[-1] = cell("print(x + 1)", ["5\n"])
+            status, output = run_in(folder, json.dumps({"cells": cells}), name="a.ipynb")
+            self.assertEqual((status, output.splitlines()[0]), (1, "a.ipynb:1: this line was not printed there: 5"))
 
     def test_pictures_are_replaced_only_when_asked_for(self):
         page = "<!-- image: a.png = out/b.png -->\n![A](a.png)\n\n" + block("bash", "mkdir out; echo new > out/b.png")

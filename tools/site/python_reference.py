@@ -15,14 +15,15 @@ import sys
 # Pages, by the end of their file's name: title, what it is about, names.
 GROUPS = {
     "pings": ("Make pings", "A scenario, the simulator that runs it, and its pings.",
-              ["Simulator", "Scenario", "scene_names", "Scene", "Ping", "PingRequest", "Pose", "Recording", "NO_LABEL", "Error", "Warning"]),
+              ["Simulator", "Scenario", "scene_names", "Scene", "Ping", "PingRequest", "Pose", "look_at", "load",
+               "Recording", "NO_LABEL", "Error", "Warning"]),
     "recordings": ("Read, export and compare recordings", "Recordings of insonify and files of instruments.",
                    ["open", "RecordedPings", "RecordedLayer", "export", "compare"]),
     "pictures": ("Draw", "Pictures of pings as arrays of pixels.", ["draw_fan", "draw_polar", "fan", "to_db", "write_png"]),
     "sonar": ("Settings of a sonar", "The instrument and its receiver.",
-              ["SonarConfig", "ReceiverConfig", "Sampling", "preset_names"]),
+              ["SonarConfig", "ReceiverConfig", "Sampling", "presets", "preset_names"]),
     "world": ("Settings of the world", "Water, materials, trajectories and what else a scenario has.",
-              ["Water", "Material", "MaterialOverride", "material_library", "SeaSurface", "PointTarget", "Waypoint",
+              ["Water", "Material", "MaterialOverride", "materials", "material_library", "SeaSurface", "PointTarget", "Waypoint",
                "load_trajectory", "Motion", "Interferer", "Thruster", "PaperModel", "ViewConfig"]),
     "acoustics": ("Formulas of acoustics", "", []),
     "similarity": ("Measures of similarity", "", []),
@@ -93,7 +94,7 @@ def signature(node, name):
         arguments = arguments.removeprefix(first)
     returned = f" -> {ast.unparse(node.returns)}" if node.returns and name[0].islower() else ""
     text = f"{name}({arguments}){returned}".replace("npt.NDArray[np.", "ndarray[").replace("npt.NDArray[Any]", "ndarray")
-    text = text.replace("_PoseLike", "PoseLike").replace("_Path", "Path").replace("_Twist", "Twist").replace("_Movable", "Movable")
+    text = re.sub(r"\b_(PoseLike|Poses|Points|Settings|Path|Twist|Movable)\b", r"\1", text)
     text = text.replace("_Values", "float | ndarray")
     if len(text) > 100:
         text = re.sub(r", (?=\*?\*?\w+:|\*,)", ",\n    ", text)
@@ -196,7 +197,7 @@ def main():
     import insonify as package
     folder, home = pathlib.Path(sys.argv[1]), pathlib.Path(package.__file__).parent
     nodes = {**stub(home / "_insonify/__init__.pyi"), **stub(home / "__init__.py")}
-    for file in ("_compare", "_layers", "_levels"):
+    for file in ("_catalogue", "_compare", "_layers", "_levels", "_pictures", "_pose"):
         nodes.update(stub(home / f"{file}.py"))
     add_new_names(package.__all__)
     pages = {"": overview(package)}
