@@ -20,9 +20,10 @@ function(run)
   endif()
   set(output ${output} PARENT_SCOPE)
 endfunction()
-# build_project(NAME SOURCES): a project of somebody else's, who has insonify installed, in WORK_DIR/NAME.
+# build_project(NAME SOURCES): a project of somebody else's, who has insonify installed, in WORK_DIR/NAME; not optimised, which
+# is compiled sooner.
 function(build_project name sources)
-  run(${CMAKE_COMMAND} -G Ninja -S ${sources} -B ${WORK_DIR}/${name} -DCMAKE_BUILD_TYPE=Release
+  run(${CMAKE_COMMAND} -G Ninja -S ${sources} -B ${WORK_DIR}/${name} -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0
       -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_PREFIX_PATH=${prefix})
   run(${CMAKE_COMMAND} --build ${WORK_DIR}/${name})
 endfunction()
@@ -91,9 +92,9 @@ if(pkgconfig AND pkg_config)
   cmake_path(GET pkgconfig PARENT_PATH pkgconfig_folder)
   run(${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${pkgconfig_folder} ${pkg_config} --cflags --libs insonify)
   separate_arguments(flags UNIX_COMMAND "${output}")
-  run(${COMPILER} ${CMAKE_CURRENT_LIST_DIR}/main.cpp -o ${WORK_DIR}/by_pkgconfig ${flags})
+  run(${COMPILER} ${CMAKE_CURRENT_LIST_DIR}/by_pkgconfig.cpp -o ${WORK_DIR}/by_pkgconfig ${flags})
   cmake_path(GET pkgconfig_folder PARENT_PATH library_folder)
-  run(${CMAKE_COMMAND} -E env LD_LIBRARY_PATH=${library_folder} ${WORK_DIR}/by_pkgconfig ${WORK_DIR}/ping_by_pkgconfig.h5)
+  run(${CMAKE_COMMAND} -E env LD_LIBRARY_PATH=${library_folder} ${WORK_DIR}/by_pkgconfig)
 elseif(NOT SOURCE_DIR AND NOT pkgconfig)
   message(FATAL_ERROR "insonify.pc was not installed")
 endif()
