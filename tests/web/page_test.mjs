@@ -512,6 +512,23 @@ const failed = await runChecks({
     await until(async () => (await get("mode")) === "fan", "the fan");
   },
 
+  async "the ruler measures by keys alone"() {
+    await page.mouse.move(2, 300);
+    await page.evaluate(() => document.activeElement?.blur());
+    await page.keyboard.press("k");
+    await page.keyboard.down("Alt");
+    for (const key of ["ArrowUp", "ArrowUp"]) {
+      await page.keyboard.press(key);
+      await page.keyboard.up("Alt");
+      await page.keyboard.press("Enter");
+      await page.keyboard.down("Alt");
+    }
+    await page.keyboard.up("Alt");
+    assert.ok((await get("ruler"))?.to, "two points");
+    await page.keyboard.press("k");
+    assert.deepEqual([await get("ruler"), await get("tool")], [null, null]);
+  },
+
   async "a second sonar is shown beside the first, and its connection ends with it"() {
     await choose("beside", "head");
     await until(() => page.$eval("#beside-empty", (node) => node.hidden && node.offsetParent === null), "its picture");

@@ -111,6 +111,7 @@ setUpKeyboard(flight, [
   ["k", "Ruler", press("tool-ruler")],
   ["x", "Marker", press("tool-marker")],
   ["j", "Video", press("video")],
+  ["Enter", "Click at the cursor", () => store.get("cursor") && picture.click(store.get("cursor"))],
   ["g", "Fit the contrast", () => fitContrast(store)],
   ["m", "Next colours", () => nextMap(store)],
   ["o", "Next overlay", () => nextOverlay(store)],

@@ -15,6 +15,7 @@ const kSmall = { top: 26, side: 10, bottom: 10 };
 // What lies over the lower corners of the large picture: figures on the left, colour bar on the right [CSS pixels].
 const kCorners = { left: 330, right: 302, height: 104 };
 
+const kStep = 8;  // by which a picture gives way [CSS pixels]
 const kHome = { factor: 1, x: 0, y: 0 };
 
 /** What the picture shows: mode, size on the screen in CSS pixels, and zoom = { factor, x, y }, x and y parts of the size. A
@@ -24,11 +25,14 @@ export function makePlan(sonar, mode, width, height, zoom) {
   const margin = kMargins[mode];
   // The edges of a wide fan are nearly level: their labels stand below them.
   const bottom = mode === "fan" && Math.max(sonar.ports[0], -sonar.starboards.at(-1)) > 1.2 ? 26 : margin.bottom;
+  const corners = [[kCorners.left, height - kCorners.height], [width - kCorners.right, height - 56]];
   const free = { ...margin, bottom };
-  const whole = planWithin(sonar, mode, width, height, kHome, free);
-  const top = height - kCorners.height;
-  const covered = [[kCorners.left, top], [width - kCorners.right, height - 56]].some(([x, y]) => whole.holds(x, y));
-  return planWithin(sonar, mode, width, height, zoom, covered ? { ...free, bottom: bottom + kCorners.height } : free);
+  while (free.bottom < bottom + kCorners.height) {
+    const whole = planWithin(sonar, mode, width, height, kHome, free);
+    if (!corners.some(([x, y]) => whole.holds(x, y))) break;
+    free.bottom += kStep;
+  }
+  return planWithin(sonar, mode, width, height, zoom, free);
 }
 
 function planWithin(sonar, mode, width, height, zoom, margin) {

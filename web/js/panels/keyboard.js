@@ -37,7 +37,7 @@ export function setUpKeyboard(flight, commands) {
     }
     if (event.key === "Shift") fly(event);
     if (event.repeat) return;
-    if (event.key === " " && event.target.closest?.("button, summary, input")) return;  // It presses that button.
+    if ([" ", "Enter"].includes(event.key) && event.target.closest?.("button, summary, input")) return;  // It presses that button.
     const command = commands.find(([key]) => key === (event.key.length === 1 ? event.key.toLowerCase() : event.key));
     if (!command) return;
     event.preventDefault();

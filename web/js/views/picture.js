@@ -42,7 +42,8 @@ export class PictureView {
     store.on(["shown", "mode", "low", "high", "gain", "tvg", "map", "overlay", "smooth", "theme", "main"], this.redraw);
     store.on(["grid", "cursor", "beam", "markers", "ruler"], this.redrawLines);
     store.on(["frozen"], () => (this.part("frozen").hidden = !store.get("frozen")));
-    this.#listen(choose);
+    this.choose = choose;
+    this.#listen();
   }
 
   /** Takes in every ping, also those that come faster than pictures are drawn. */
@@ -147,12 +148,15 @@ export class PictureView {
     this.redraw();
   }
 
-  #listen(choose) {
+  #listen() {
     const { stage, store } = this;
     watchGestures(stage, {
       hover: (x, y) => store.set({ cursor: this.plan ? underPoint(this.plan, x, y) : null }),
       leave: () => store.set({ cursor: null }),
-      click: (x, y) => this.#click(x, y, choose),
+      click: (x, y) => {
+        const cursor = this.plan ? underPoint(this.plan, x, y) : null;
+        if (cursor) this.click(cursor);
+      },
       drag: (dx, dy) => this.#pan(dx, dy),
       zoom: (factor, x, y) => this.#zoomAt(factor, x, y),
       home: () => this.#home(),
@@ -160,11 +164,10 @@ export class PictureView {
     stage.addEventListener("keydown", (event) => this.#moveCursor(event));
   }
 
-  #click(x, y, choose) {
-    const cursor = this.plan ? underPoint(this.plan, x, y) : null;
-    if (!cursor) return;
+  /** What a click at a cursor does. */
+  click(cursor) {
     this.store.set({ cursor, beam: cursor.beam });
-    choose(cursor);
+    this.choose(cursor);
   }
 
   #pan(dx, dy) {
