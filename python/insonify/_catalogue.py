@@ -27,6 +27,15 @@ def load(path: str | os.PathLike[str], settings: Sequence[str] | dict[str, Any] 
     return Scenario.load(path, settings)
 
 
+def _world_of(self: Scenario, path: str | os.PathLike[str] | None) -> None:
+    _world.fset(self, "" if path is None or path == "none" else path)
+
+
+# None and "none" are no world, as in files.
+_world: Any = vars(Scenario)["world"]
+setattr(Scenario, "world", property(_world.fget, _world_of, doc=_world.__doc__))
+
+
 def presets() -> dict[str, SonarConfig]:
     """Every preset by its name, in alphabetical order, those of INSONIFY_PRESETS included: its sonar in its default mode,
     over its longest range.

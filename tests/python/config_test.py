@@ -29,7 +29,7 @@ class ConfigTest(unittest.TestCase):
         for line in told.splitlines():
             if line.startswith("## "):
                 section = sections.get(line[3:].strip().strip("`"))
-            elif section is not None and line.startswith("| `"):
+            elif section is not None and line.startswith("| <a id="):
                 key = line.split("`")[1]
                 if key in ("preset", "mode") or key.endswith("_wxyz"):
                     continue  # SonarConfig.preset(); Pose has quaternions.
@@ -126,6 +126,9 @@ class ConfigTest(unittest.TestCase):
                                                                      sampling=insonify.Sampling(rows=20)))
         self.assertEqual((made.water.salinity, made.materials["hull"].density, made.surface.level), (0, 7000, 3))
         made.sonars.append({"name": "second", "max_range": 3})
+        for none in (None, "none", ""):  # As in files.
+            self.assertEqual(insonify.Scenario(world=none, points=[{"position": (5, 0, 0)}]).world, "")
+        self.assertEqual(insonify.Scenario(world="floor.obj").world, "floor.obj")
         self.assertIn('name: "second"', made.to_yaml())
         self.assertEqual(insonify.acoustics.absorption_db_per_m(7e5, {"salinity": 0}),
                          insonify.acoustics.absorption_db_per_m(7e5, insonify.Water(salinity=0)))
