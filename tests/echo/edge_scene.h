@@ -42,7 +42,7 @@ inline StraightEdges edges_of(const Scene& scene, LeftOut left_out = {}) {
   const GlintingFaces faces = find_glinting_faces(scene, left_out, workers);
   const std::unique_ptr<TestEngine> engine = test_engine("cpu", 1);
   engine->set_scene(scene);
-  return find_straight_edges(scene, faces, engine->engine(), workers);
+  return find_straight_edges(scene, faces, engine->engine());
 }
 
 /// The edges of all groups, in the world's frame.

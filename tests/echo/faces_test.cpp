@@ -8,6 +8,7 @@
 #include <cmath>
 #include <random>
 #include <set>
+#include <tuple>
 
 namespace insonify::faces_test {
 namespace {
@@ -116,6 +117,55 @@ TEST(FacesTest, AreFoundOnceForAMesh) {
   const auto faces = shared_faces(mesh, workers);
   EXPECT_EQ(shared_faces(mesh, workers), faces);
   EXPECT_NE(shared_faces(std::make_shared<const Mesh>(*mesh), workers), faces);
+}
+
+// A box has 12 edges between two faces each, a plate four borders; each face has four of them.
+TEST(FacesTest, EdgesAreWhereFacesMeetOrEnd) {
+  const Mesh box = make_box({0.4, 0.6, 1.2});
+  const auto of_box = find_faces(box, workers);
+  ASSERT_EQ(of_box->edges.size(), 12U);
+  std::vector<int> edges(6, 0);
+  for (const EdgePart& part : of_box->edges) {
+    EXPECT_LT(part.face[0], part.face[1]);
+    for (int k = 0; k < 2; ++k) {
+      ++edges[part.face[k]];
+      EXPECT_EQ(of_box->face_of[part.triangle(k)], part.face[k]);
+      const Vec3 along = edge_vertex(box, part.high) - edge_vertex(box, part.low);
+      EXPECT_GT((opposite_vertex(box, part, k) - edge_vertex(box, part.low)).cross(along).norm(), 0.1);
+    }
+  }
+  EXPECT_EQ(edges, std::vector<int>(6, 4));
+  const auto of_plate = find_faces(make_plane(Vec3::UnitX(), 0.4, 1.0), workers);
+  ASSERT_EQ(of_plate->edges.size(), 4U);
+  EXPECT_TRUE(std::ranges::all_of(of_plate->edges, &EdgePart::is_border));
+}
+
+// Steps of 1 m, in more blocks of vertices than threads.
+TEST(FacesTest, AreTheSameForAnyNumberOfThreads) {
+  Mesh mesh;
+  for (int i = 0; i < 20'000; ++i) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    const float height = std::ceil(0.5F * static_cast<float>(i)), step = std::floor(0.5F * static_cast<float>(i));
+    const Vec3f corner(step, 0, height), along = i % 2 == 0 ? Vec3f::UnitZ() : Vec3f::UnitX();
+    for (const Vec3f& off : {Vec3f(0, 0, 0), Vec3f(along), Vec3f(along + Vec3f::UnitY())}) {
+      mesh.vertices.push_back(corner + off);
+      mesh.normals.push_back(along.cross(Vec3f::UnitY()));
+    }
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  }
+  Workers one(1), four(4);
+  const auto by_one = find_faces(mesh, one), by_four = find_faces(mesh, four);
+  EXPECT_EQ(by_one->faces.size(), 20'000U);
+  EXPECT_EQ(by_one->face_of, by_four->face_of);
+  ASSERT_EQ(by_one->edges.size(), by_four->edges.size());
+  ASSERT_GT(by_one->edges.size(), 20'000U);
+  for (std::size_t i = 0; i < by_one->edges.size(); ++i) {
+    const EdgePart &a = by_one->edges[i], &b = by_four->edges[i];
+    EXPECT_EQ(std::tie(a.low, a.high, a.side, a.face), std::tie(b.low, b.high, b.side, b.face));
+  }
+  for (std::size_t i = 0; i < by_one->faces.size(); ++i) {
+    EXPECT_EQ(by_one->faces[i].half, by_four->faces[i].half);
+  }
 }
 
 // A hit 0.1 m from the middle of a plate of 0.4 x 1 m, turned by a quarter.

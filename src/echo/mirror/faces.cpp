@@ -8,6 +8,7 @@
 #include <map>
 #include <mutex>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -48,8 +49,8 @@ struct Outline {
   float length = 0;                          // Length of that side [m].
   float around = 0, layers = 0;              // Length of all sides [m], also as often as its triangles have them.
 
-  void add(const Mesh& mesh, const MeshSides::Ends& ends, std::size_t times) {
-    const float own = (mesh.vertices[ends.high] - mesh.vertices[ends.low]).norm();
+  // Adds sides that several triangles have.
+  void add(const MeshSides::Ends& ends, float own, std::uint32_t times) {
     if (own > length || (own == length && ends < longest)) {
       longest = ends;
       length = own;
@@ -57,6 +58,14 @@ struct Outline {
     around += own;
     layers += own * static_cast<float>(times);
   }
+};
+
+// Sides of an outline that have the same ends.
+struct OuterSide {
+  std::uint32_t face;
+  MeshSides::Ends ends;
+  float length;         // [m]
+  std::uint32_t times;  // Number of triangles.
 };
 
 // Rectangle of a group of triangles: aligned with its longest outer side, with its centroid and area, and with the
@@ -167,32 +176,50 @@ std::size_t number_faces(const std::vector<std::uint32_t>& roots, std::vector<st
   return count;
 }
 
-// [face] Outlines: the sides that have triangles of the face in one direction only.
+// Adds the sides with the same ends that have triangles of a face in one direction only.
+// @param by_face  Scratch.
+void add_outer_sides(const Mesh& mesh, const MeshSides& sides, const std::vector<Vec3f>& normals,
+                     const std::vector<std::uint32_t>& face_of, std::span<const std::uint32_t> together,
+                     std::vector<std::pair<std::uint32_t, std::uint32_t>>& by_face, std::vector<OuterSide>& outer) {
+  by_face.clear();
+  for (const std::uint32_t side : together) {
+    by_face.emplace_back(face_of[sides.triangle(side)], side);
+  }
+  std::ranges::sort(by_face);
+  for (std::size_t first = 0, last = 0; first < by_face.size() && by_face[first].first != kNone; first = last) {
+    // A triangle lies to the left of its side, seen from the tip of its normal.
+    const auto lies_left = [&](std::uint32_t side) {
+      const bool same = normals[sides.triangle(side)].dot(normals[sides.triangle(by_face[first].second)]) > 0;
+      return sides.runs_upwards(side) == same;
+    };
+    std::size_t left = 0;
+    for (; last < by_face.size() && by_face[last].first == by_face[first].first; ++last) {
+      left += lies_left(by_face[last].second) ? 1 : 0;
+    }
+    if (left == 0 || left == last - first) {
+      const MeshSides::Ends ends = sides.ends(together[0]);
+      outer.push_back({by_face[first].first, ends, (mesh.vertices[ends.high] - mesh.vertices[ends.low]).norm(),
+                       static_cast<std::uint32_t>(last - first)});
+    }
+  }
+}
+
+// [face] Outlines.
 std::vector<Outline> outlines_of(const Mesh& mesh, const MeshSides& sides, const std::vector<Vec3f>& normals,
-                                 const std::vector<std::uint32_t>& face_of, std::size_t count) {
-  std::vector<Outline> outlines(count);
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> by_face;
-  sides.for_each_edge(0, sides.vertex_count(), [&](std::span<const std::uint32_t> together) {
-    by_face.clear();
-    for (const std::uint32_t side : together) {
-      by_face.emplace_back(face_of[sides.triangle(side)], side);
-    }
-    std::ranges::sort(by_face);
-    for (std::size_t first = 0, last = 0; first < by_face.size() && by_face[first].first != kNone; first = last) {
-      // A triangle lies to the left of its side, seen from the tip of its normal.
-      const auto lies_left = [&](std::uint32_t side) {
-        const bool same = normals[sides.triangle(side)].dot(normals[sides.triangle(by_face[first].second)]) > 0;
-        return sides.runs_upwards(side) == same;
-      };
-      std::size_t left = 0;
-      for (; last < by_face.size() && by_face[last].first == by_face[first].first; ++last) {
-        left += lies_left(by_face[last].second) ? 1 : 0;
-      }
-      if (left == 0 || left == last - first) {
-        outlines[by_face[first].first].add(mesh, sides.ends(together[0]), last - first);
-      }
-    }
+                                 const std::vector<std::uint32_t>& face_of, std::size_t count, Workers& workers) {
+  std::vector<std::vector<OuterSide>> outer(sides.vertex_count() / kBlock + 1);
+  for_each_block(workers, sides.vertex_count(), kBlock, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> by_face;
+    sides.for_each_edge(begin, end, [&](std::span<const std::uint32_t> together) {
+      add_outer_sides(mesh, sides, normals, face_of, together, by_face, outer[begin / kBlock]);
+    });
   });
+  std::vector<Outline> outlines(count);  // Lengths are added in the order of the sides.
+  for (const std::vector<OuterSide>& some : outer) {
+    for (const OuterSide& side : some) {
+      outlines[side.face].add(side.ends, side.length, side.times);
+    }
+  }
   return outlines;
 }
 
@@ -231,11 +258,15 @@ bool is_flat(const Mesh& mesh, std::size_t triangle, const Vec3f& normal) {
 
 std::shared_ptr<const MeshFaces> find_faces(const Mesh& mesh, Workers& workers) {
   auto found = std::make_shared<MeshFaces>();
-  const std::vector<Vec3f> normals = flat_normals(mesh, workers);
+  std::vector<Vec3f> normals = flat_normals(mesh, workers);
   if (!normals.empty()) {
-    const MeshSides sides(mesh, workers);
-    const std::size_t count = number_faces(grouped(mesh, sides, normals, workers), found->face_of);
-    measure_all(mesh, outlines_of(mesh, sides, normals, found->face_of, count), workers, *found);
+    std::optional<MeshSides> sides(std::in_place, mesh, workers);
+    const std::size_t count = number_faces(grouped(mesh, *sides, normals, workers), found->face_of);
+    const std::vector<Outline> outlines = outlines_of(mesh, *sides, normals, found->face_of, count, workers);
+    std::vector<Vec3f>().swap(normals);
+    found->edges = find_edge_parts(mesh, *sides, found->face_of, workers);
+    sides.reset();
+    measure_all(mesh, outlines, workers, *found);
   }
   return found;
 }

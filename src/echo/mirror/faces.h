@@ -10,6 +10,7 @@
 
 #include "base/parallel.h"
 #include "echo/laws/laws.h"
+#include "echo/mirror/edge_parts.h"
 #include "insonify/mesh.h"
 
 namespace insonify {
@@ -25,12 +26,13 @@ struct Face {
   [[nodiscard]] float width() const { return 2 * std::min(half[0], half[1]); }  ///< Length of its shorter sides [m].
 };
 
-/// The faces of a mesh.
+/// The faces of a mesh, and the edges between them.
 struct MeshFaces {
   static constexpr std::uint32_t kNone = 0xffffffff;
   std::vector<Face> faces;
   std::vector<std::uint32_t>
       face_of;  ///< [triangle] Index of its face; kNone on curved surfaces. Empty if the whole mesh is curved.
+  std::vector<EdgePart> edges;  ///< find_edge_parts()
 };
 
 /// Whether a triangle is flat: its vertex normals agree with its geometric normal within 0.8 degrees.

@@ -83,11 +83,16 @@ void MeshSides::sort_sides(Workers& workers) {
   for_each_side(
       [&](std::uint32_t side, const auto& next) { sides_[next.fetch_add(1, std::memory_order_relaxed)] = side; });
   for_each_block(workers, ends_.size(), kItemsOfTask, [&](std::size_t first, std::size_t last) {
+    std::vector<std::uint64_t> keys;  // Higher end and side.
     for (std::size_t vertex = first; vertex < last; ++vertex) {
-      const auto begin = sides_.begin() + (vertex == 0 ? 0 : ends_[vertex - 1]);
-      std::sort(begin, sides_.begin() + ends_[vertex], [&](std::uint32_t a, std::uint32_t b) {
-        return std::pair(ends(a).high, a) < std::pair(ends(b).high, b);
-      });
+      const std::uint32_t begin = vertex == 0 ? 0 : ends_[vertex - 1];
+      keys.clear();
+      for (std::uint32_t i = begin; i < ends_[vertex]; ++i) {
+        keys.push_back(std::uint64_t{ends(sides_[i]).high} << 32 | sides_[i]);
+      }
+      std::ranges::sort(keys);
+      std::ranges::transform(keys, sides_.begin() + begin,
+                             [](std::uint64_t key) { return static_cast<std::uint32_t>(key); });
     }
   });
 }

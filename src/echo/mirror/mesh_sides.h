@@ -31,7 +31,11 @@ class MeshSides {
   [[nodiscard]] bool runs_upwards(std::uint32_t side) const;  ///< From the lower of its ends to the higher.
   [[nodiscard]] std::uint32_t triangle(std::uint32_t side) const { return whole(side) / 3; }
   [[nodiscard]] std::uint32_t opposite(std::uint32_t side) const;  ///< Vertex of its triangle that is not on it.
-  [[nodiscard]] std::uint32_t count() const {                      ///< One more than the highest number of a side.
+  [[nodiscard]] std::uint32_t whole(std::uint32_t side) const {  ///< The side that a part is of; else the side itself.
+    const auto first = static_cast<std::uint32_t>(3 * mesh_.triangles.size());
+    return side < first ? side : parts_[side - first].side;
+  }
+  [[nodiscard]] std::uint32_t count() const {  ///< One more than the highest number of a side.
     return static_cast<std::uint32_t>(3 * mesh_.triangles.size() + parts_.size());
   }
   [[nodiscard]] bool has_corners(std::uint32_t triangle) const;  ///< Whether a triangle has three different ones.
@@ -61,10 +65,6 @@ class MeshSides {
     std::uint32_t from, to, side;
   };
 
-  [[nodiscard]] std::uint32_t whole(std::uint32_t side) const {
-    const auto first = static_cast<std::uint32_t>(3 * mesh_.triangles.size());
-    return side < first ? side : parts_[side - first].side;
-  }
   [[nodiscard]] std::span<const std::uint32_t> from(std::size_t vertex) const {
     const std::uint32_t begin = vertex == 0 ? 0 : ends_[vertex - 1];
     return {sides_.data() + begin, ends_[vertex] - begin};

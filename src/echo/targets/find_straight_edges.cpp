@@ -15,9 +15,8 @@ namespace {
 using PlacedEdge = std::pair<int, StraightEdges::Edge>;  // Instance and edge.
 
 // Adds the edges of one instance.
-void add_edges(const Scene& scene, int index, const GlintingFaces& faces, Workers& workers,
-               std::vector<PlacedEdge>& edges) {
-  for (const FaceEdge& one : find_mesh_edges(scene, index, faces, workers)) {
+void add_edges(const Scene& scene, int index, const GlintingFaces& faces, std::vector<PlacedEdge>& edges) {
+  for (const FaceEdge& one : find_mesh_edges(scene, index, faces)) {
     const bool thin = std::ranges::any_of(
         one.edge.sides, [](const StraightEdges::Side& side) { return side.face == StraightEdges::kNoGlint; });
     if (!thin ||
@@ -45,7 +44,7 @@ PlacedEdge on_other(PlacedEdge placed, std::size_t other, const GlintingFaces& f
 }
 
 // The edges of all instances.
-std::vector<PlacedEdge> edges_of(const Scene& scene, const GlintingFaces& faces, Workers& workers) {
+std::vector<PlacedEdge> edges_of(const Scene& scene, const GlintingFaces& faces) {
   std::vector<PlacedEdge> edges;
   const std::vector<std::size_t> first = first_alike(scene);
   std::vector<std::pair<std::size_t, std::size_t>> own(first.size());  // [instance] The range of its edges.
@@ -55,7 +54,7 @@ std::vector<PlacedEdge> edges_of(const Scene& scene, const GlintingFaces& faces,
     }
     own[i].first = edges.size();
     if (first[i] == i || !glint_alike(faces, i, first[i])) {
-      add_edges(scene, static_cast<int>(i), faces, workers, edges);
+      add_edges(scene, static_cast<int>(i), faces, edges);
     } else {
       for (std::size_t k = own[first[i]].first; k < own[first[i]].second; ++k) {
         edges.push_back(on_other(edges[k], i, faces));
@@ -187,8 +186,8 @@ std::size_t StraightEdges::most_of_a_group() const {
   return most;
 }
 
-StraightEdges find_straight_edges(const Scene& scene, const GlintingFaces& faces, Engine& engine, Workers& workers) {
-  std::vector<PlacedEdge> edges = edges_of(scene, faces, workers);
+StraightEdges find_straight_edges(const Scene& scene, const GlintingFaces& faces, Engine& engine) {
+  std::vector<PlacedEdge> edges = edges_of(scene, faces);
   const auto half = [](const PlacedEdge& edge) { return edge.second.half; };
   StraightEdges found;
   if (edges.size() > StraightEdges::kMost) {

@@ -4,22 +4,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numbers>
 #include <optional>
 
-#include "echo/targets/edge_parts.h"
+#include "echo/mirror/edge_parts.h"
+#include "scene/same_places.h"
 
 namespace insonify {
 namespace {
 
+// Parts of edges of a mesh, and the distance below which its corners are one [m].
+struct MeshParts {
+  const Mesh& mesh;
+  double tolerance;
+  std::vector<EdgePart> parts;
+};
+
 // Extends the edge over all parts of its chain. False if one of their ends is off the edge's line.
-bool extend(const Mesh& mesh, const EdgeParts& found, const std::vector<std::uint32_t>& members,
-            StraightEdges::Edge& edge) {
+bool extend(const MeshParts& found, const std::vector<std::uint32_t>& members, StraightEdges::Edge& edge) {
   const auto each_end = [&](auto&& visit) {
     for (const std::uint32_t i : members) {
-      visit(edge_vertex(mesh, found.parts()[i].low));
-      visit(edge_vertex(mesh, found.parts()[i].high));
+      visit(edge_vertex(found.mesh, found.parts[i].low));
+      visit(edge_vertex(found.mesh, found.parts[i].high));
     }
   };
   Vec3 first = edge.middle, last = edge.middle;
@@ -31,7 +39,7 @@ bool extend(const Mesh& mesh, const EdgeParts& found, const std::vector<std::uin
   edge.middle = 0.5 * (first + last);
   edge.along = (last - first).normalized();
   bool straight = true;
-  const double off = std::max(StraightEdges::kStraight, 2 * found.tolerance());
+  const double off = std::max(StraightEdges::kStraight, 2 * found.tolerance);
   each_end([&](const Vec3& end) { straight = straight && (end - edge.middle).cross(edge.along).norm() < off; });
   return straight && 2 * edge.half >= StraightEdges::kLeastLength;
 }
@@ -77,7 +85,7 @@ std::optional<FaceEdge> joined(const FaceEdge& one, const FaceEdge& two) {
     return {};
   }
   const double cosine = sides[0].first.inwards.dot(sides[1].first.inwards);
-  if (cosine <= -std::cos(StraightEdges::kLeastTurn)) {
+  if (cosine <= -std::cos(EdgePart::kLeastTurn)) {
     return {};
   }
   FaceEdge both = one;
@@ -152,14 +160,15 @@ std::map<std::uint32_t, std::size_t> numbers_of(const GlintingFaces& faces, int 
   return numbers;
 }
 
-// [triangle] 1 if it belongs to a plane face that reflects coherently.
-std::vector<std::uint8_t> coherent_triangles(const Scene& scene, const Instance& instance, const MeshFaces& faces) {
-  std::vector<std::uint8_t> coherent(instance.mesh->triangles.size(), 0);
-  for (std::size_t t = 0; t < faces.face_of.size(); ++t) {
-    coherent[t] =
-        faces.face_of[t] != MeshFaces::kNone && reflects_coherently(scene, instance, instance.mesh->slot_of(t));
-  }
-  return coherent;
+// Parts between faces that reflect coherently.
+MeshParts coherent_parts(const Scene& scene, const Instance& instance, const MeshFaces& faces) {
+  const Mesh& mesh = *instance.mesh;
+  MeshParts found{mesh, double{same_place_tolerance(mesh.vertices)}, {}};
+  std::ranges::copy_if(faces.edges, std::back_inserter(found.parts), [&](const EdgePart& part) {
+    const auto coherent = [&](int k) { return reflects_coherently(scene, instance, mesh.slot_of(part.triangle(k))); };
+    return coherent(0) && (part.is_border() || coherent(1));
+  });
+  return found;
 }
 
 // One side of an edge.
@@ -174,16 +183,14 @@ void set_face(const Scene& scene, int index, std::uint32_t triangle, std::size_t
 }
 
 // The edges of one instance, however many edges are close to them.
-std::vector<FaceEdge> find_single_edges(const Scene& scene, int index, const GlintingFaces& faces, Workers& workers) {
+std::vector<FaceEdge> find_single_edges(const Scene& scene, int index, const GlintingFaces& faces) {
   const Instance& instance = scene.instances[index];
   const Mesh& mesh = *instance.mesh;
-  const MeshFaces& of_mesh = *faces.of_mesh[index];
-  const EdgeParts found(mesh, of_mesh, coherent_triangles(scene, instance, of_mesh), StraightEdges::kLeastTurn,
-                        workers);
-  const std::vector<EdgePart>& parts = found.parts();
+  const MeshParts found = coherent_parts(scene, instance, *faces.of_mesh[index]);
+  const std::vector<EdgePart>& parts = found.parts;
   const std::map<std::uint32_t, std::size_t> numbers = numbers_of(faces, index);
   std::map<std::uint32_t, std::vector<std::uint32_t>> chains;
-  const std::vector<std::uint32_t> chain = found.chains();
+  const std::vector<std::uint32_t> chain = chains_of(mesh, parts, found.tolerance);
   for (std::uint32_t i = 0; i < parts.size(); ++i) {
     chains[chain[i]].push_back(i);
   }
@@ -196,11 +203,11 @@ std::vector<FaceEdge> find_single_edges(const Scene& scene, int index, const Gli
     StraightEdges::Edge edge;
     edge.middle = 0.5 * (edge_vertex(mesh, longest.low) + edge_vertex(mesh, longest.high));
     edge.along = (edge_vertex(mesh, longest.high) - edge_vertex(mesh, longest.low)).normalized();
-    if (!extend(mesh, found, members, edge)) {
+    if (!extend(found, members, edge)) {
       continue;
     }
     const auto inwards = [&](int side) -> Vec3 {
-      const Vec3 off = found.opposite(longest, side) - edge.middle;
+      const Vec3 off = opposite_vertex(mesh, longest, side) - edge.middle;
       return (off - off.dot(edge.along) * edge.along).normalized();
     };
     const bool border = longest.is_border();
@@ -209,8 +216,8 @@ std::vector<FaceEdge> find_single_edges(const Scene& scene, int index, const Gli
     for (int k = 0; k < 2; ++k) {
       const int of = border ? 0 : k;
       const auto number = numbers.find(longest.face[of]);
-      set_face(scene, index, found.triangle(longest, of),
-               number == numbers.end() ? StraightEdges::kNoGlint : number->second, edge.sides[k]);
+      set_face(scene, index, longest.triangle(of), number == numbers.end() ? StraightEdges::kNoGlint : number->second,
+               edge.sides[k]);
     }
     edges.push_back({edge, longest.face});
   }
@@ -219,8 +226,8 @@ std::vector<FaceEdge> find_single_edges(const Scene& scene, int index, const Gli
 
 }  // namespace
 
-std::vector<FaceEdge> find_mesh_edges(const Scene& scene, int index, const GlintingFaces& faces, Workers& workers) {
-  std::vector<FaceEdge> edges = find_single_edges(scene, index, faces, workers);
+std::vector<FaceEdge> find_mesh_edges(const Scene& scene, int index, const GlintingFaces& faces) {
+  std::vector<FaceEdge> edges = find_single_edges(scene, index, faces);
   join_close(*faces.of_mesh[index], edges);
   return edges;
 }

@@ -19,7 +19,6 @@ struct FaceEdge {
 /// The edges of an instance, whatever else is near them. Edges closer to each other than StraightEdges::kFree are one:
 /// the two of the rim of a sheet, the borders of both sides of an open one, those of a narrow chamfer.
 /// @param index  Instance in the scene; it has faces.
-[[nodiscard]] std::vector<FaceEdge> find_mesh_edges(const Scene& scene, int index, const GlintingFaces& faces,
-                                                    Workers& workers);
+[[nodiscard]] std::vector<FaceEdge> find_mesh_edges(const Scene& scene, int index, const GlintingFaces& faces);
 
 }  // namespace insonify

@@ -17,7 +17,7 @@ SceneTargets find_targets(const Scene& scene, const std::optional<WaterMirror>& 
   GlintingFaces faces = find_glinting_faces(scene, left_out, workers);
   cover_faces(scene, probe, faces);
   SceneTargets targets;
-  targets.edges = std::make_shared<const StraightEdges>(find_straight_edges(scene, faces, probe, workers));
+  targets.edges = std::make_shared<const StraightEdges>(find_straight_edges(scene, faces, probe));
   const bool any = thin.triangles || faces.any();
   engine.leave_out(any ? std::make_shared<const LeftOut>(std::move(left_out)) : nullptr);
   targets.faces = std::make_shared<const GlintingFaces>(std::move(faces));

@@ -15,8 +15,7 @@ namespace insonify {
 /// edges only where they are square: others may be round bodies of a few triangles.
 struct StraightEdges {
   static constexpr double kLeastLength = 0.03;  ///< Shorter edges are left out [m].
-  static constexpr double kLeastTurn = 0.5;     ///< Smallest angle between the normals of two faces [rad].
-  static constexpr double kSquareTurn = 1.3;    ///< The same for thin parts [rad].
+  static constexpr double kSquareTurn = 1.3;    ///< EdgePart::kLeastTurn for thin parts [rad].
   static constexpr double kStraight = 2.5e-4;   ///< Largest distance of an edge's vertices from its line [m].
   static constexpr double kFree = 1e-3;  ///< Edges that something else comes this close to are left out, and the two
                                          ///< edges of a sheet thinner than this are one [m].
@@ -69,7 +68,6 @@ struct StraightEdges {
 /// Finds the edges of a scene. Edges that something else touches are left out, such as those of a box on a floor, or of
 /// parts of a body that touch without common vertices.
 /// @param engine  Has the scene; its rays test whether edges are free.
-[[nodiscard]] StraightEdges find_straight_edges(const Scene& scene, const GlintingFaces& faces, Engine& engine,
-                                                Workers& workers);
+[[nodiscard]] StraightEdges find_straight_edges(const Scene& scene, const GlintingFaces& faces, Engine& engine);
 
 }  // namespace insonify
