@@ -167,10 +167,24 @@ std::complex<float> DefocusedTables::amplitude(int table, double x) const {
 // From the outside inwards, in steps of an eighth of a side lobe.
 DefocusedTables::Extent DefocusedTables::measured(int table) const {
   constexpr double kStep = 0.125;
+  constexpr int kTogether = 64;
+  std::array<float, kTogether> places, factors, in_phase, quadrature;
+  factors.fill(1);
   const auto end_towards = [&](double side) {
     double x = reach_;
-    while (x > -reach_ && std::norm(std::complex<double>(amplitude(table, side * x))) < floor_) {
-      x -= kStep;
+    for (int i = kTogether; x > -reach_; ++i, x -= kStep) {
+      if (i == kTogether) {
+        double next = x;
+        for (float& place : places) {
+          place = static_cast<float>(side * std::max(next, -reach_));
+          next -= kStep;
+        }
+        look_up(table, 0, places, factors, in_phase.data(), quadrature.data());
+        i = 0;
+      }
+      if (!(std::norm(std::complex<double>(in_phase[i], quadrature[i])) < floor_)) {
+        break;
+      }
     }
     return x + kStep;
   };
