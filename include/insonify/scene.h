@@ -107,9 +107,9 @@ struct Scene {
 
 /// Assigns a material to every slot of every instance, the first of: an override with the object's name, unless it also
 /// is the name of some slots; the instance's user_material; an override with the slot's name; the library's of that
-/// name; the default. user_material and the default may name an override too. Each override becomes a material, named by
-/// its key. Slot names that got the default are reported to `log`. The relief of a slot is that of its material, or else
-/// of its mesh.
+/// name; the default. user_material and the default may name an override too. Each override becomes a material, named
+/// by its key. Slot names that got the default are reported to `log`. The relief of a slot is that of its material, or
+/// else of its mesh.
 /// @throws Error for a name written by the user (an override's key or `like`, a user_material, a name of an
 ///         instance with names_resolve, the default) that matches nothing, and for a property out of its limits.
 void assign_materials(Scene& scene, const MaterialRules& rules, const Log& log = {});
