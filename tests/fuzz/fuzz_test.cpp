@@ -1,4 +1,4 @@
-// fuzz_test.cpp -- each fuzzer takes its kept inputs and, for two seconds, damaged copies of them: `./dev fuzz` in
+// fuzz_test.cpp -- each fuzzer takes its kept inputs and, for a second, damaged copies of them: `./dev fuzz` in
 // small.
 
 #include <fcntl.h>
@@ -17,7 +17,7 @@
 namespace insonify::fuzz_test {
 namespace {
 
-constexpr std::chrono::seconds kTime(2);
+constexpr std::chrono::seconds kTime(1);
 constexpr unsigned kLongest = 60;  // For one input, before it counts as endless [s].
 
 // The input that is taken, for the handler of signals.

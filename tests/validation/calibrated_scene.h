@@ -103,7 +103,7 @@ inline SonarConfig corner_sonar() {
   sonar.min_range = 5;
   sonar.max_range = 20;
   sonar.bin_count = 600;
-  sonar.sampling = {4, 1600};
+  sonar.sampling = {4, 800};
   return sonar;
 }
 

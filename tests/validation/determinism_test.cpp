@@ -85,6 +85,7 @@ TEST_P(DeterminismTest, PaperPingsAreTheSameBytesForAnyNumberOfThreads) {
 // in later ones.
 Scenario turning_away(const Method& method) {
   Scenario scenario = everything(method);
+  scenario.sonars[0].beam_count = 32;
   scenario.surface.reset();
   scenario.points[0].position = {7, 1, -5.5};
   scenario.water.volume_backscatter_db.reset();

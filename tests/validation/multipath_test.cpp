@@ -56,7 +56,7 @@ SonarConfig tall_sonar(double elevation_aperture_deg) {
   sonar.min_range = 1;
   sonar.max_range = 25;
   sonar.bin_count = 480;
-  sonar.sampling = {16, 4000};
+  sonar.sampling = {8, 2000};
   return sonar;
 }
 

@@ -38,7 +38,7 @@ class SeaSurfaceEchoTest : public testing::TestWithParam<Method> {
     sonar.min_range = 0.5;
     sonar.max_range = range;
     sonar.bin_count = 2400;
-    sonar.sampling = {4, 2000};
+    sonar.sampling = {4, 1000};
     sonar.position = {0, 0, -kDepth};
     Scenario scenario = calibrated(sonar, GetParam());
     scenario.surface = SeaSurface{.wind_speed = wind};

@@ -39,7 +39,7 @@ Scenario by_water(const Method& method) {
   sonar.min_range = 5;
   sonar.max_range = 12;
   sonar.bin_count = 350;
-  sonar.sampling = {8, 1600};
+  sonar.sampling = {8, 800};
   Scenario scenario = calibrated(sonar, method);
   scenario.secondary = SecondaryEchoes::kAll;
   scenario.max_surfaces = 3;
