@@ -14,9 +14,6 @@ find_package(Freetype REQUIRED)
 find_package(pugixml REQUIRED)
 find_package(Threads REQUIRED)
 find_package(HDF5 REQUIRED COMPONENTS C)
-if(HDF5_VERSION VERSION_GREATER_EQUAL 1.12)
-  add_compile_definitions(H5_USE_110_API)  # Debian 12's functions and structures, which newer ones have too.
-endif()
 
 # Embree: Ubuntu 22.04 and Debian 12 have 3, Ubuntu 24.04 and Debian 13 have 4. See src/echo/cpu/embree.h.
 foreach(major 4 3)

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#define H5_USE_110_API  // Functions and structures of HDF5 1.10, which newer ones have too.
 #include <hdf5.h>
 
 #include <filesystem>
