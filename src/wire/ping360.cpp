@@ -73,6 +73,14 @@ std::string wrong_length(const PingFrame& frame, std::size_t bytes) {
 
 }  // namespace
 
+std::string ping360_introduction(const std::array<std::uint8_t, 4>& address) {
+  // The MAC address is one for local use: it belongs to no maker.
+  return fmt::format(
+      "SONAR PING360\r\nBlue Robotics\r\nMAC Address:- 02-00-00-00-00-01\r\n"
+      "IP Address:- {:03}.{:03}.{:03}.{:03}\r\n",
+      address[0], address[1], address[2], address[3]);
+}
+
 double ping360_turn_time(int from, int to) {
   const int turned = std::abs(to - from);
   return kPing360StepTime * std::min(turned, kGradiansPerTurn - turned);

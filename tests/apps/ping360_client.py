@@ -18,6 +18,15 @@ def auto_transmit(start, stop, step, gain=1, duration=40, period=250, frequency=
     return frame(2602, struct.pack("<BBHHHHHHBB", 1, gain, duration, period, frequency, count, start, stop, step, delay))
 
 
+def introduced(data):
+    """Name and address of a sonar that answered a search, read as BlueOS does: zeros before a number are dropped."""
+    lines = data.decode("ascii").split("\r\n")
+    assert len(lines) == 5 and lines[1] == "Blue Robotics" and lines[2].startswith("MAC Address:- ") and not lines[4], lines
+    title, address = lines[3].split(":- ")
+    assert title == "IP Address", lines
+    return lines[0], ".".join(str(int(part)) for part in address.split("."))
+
+
 def parsed(data):
     """Id and payload of a frame, whose checksum must hold."""
     assert data[:2] == b"BR", data

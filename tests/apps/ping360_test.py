@@ -22,7 +22,7 @@ except ImportError:
     h5py = None
 
 from emulated import INSONIFY, Emulated
-from ping360_client import ACK, AUTO_DATA, DATA, NACK, auto_transmit, frame, loudest, parsed, samples_of, transducer
+from ping360_client import ACK, AUTO_DATA, DATA, NACK, auto_transmit, frame, introduced, loudest, parsed, samples_of, transducer
 
 # A target 4.1 m ahead, and one 5.3 m to starboard. 80 ticks of 25 ns are 2 us; with 1500 m/s a sample is 1.5 mm.
 SCENARIO = """
@@ -41,13 +41,14 @@ NOISE = ("--set", "receiver.ambient_noise_db=76")  # Fills samples with values b
 class Instrument(Emulated):
     """insonify emulate ping360 in a folder of its own, and a socket that talks with it."""
 
-    def __init__(self, *options, scenario=SCENARIO, fast=True):
-        super().__init__("ping360", "scan.yaml", "--port", "0", *(["--fast"] if fast else []), *options,
+    def __init__(self, *options, scenario=SCENARIO, fast=True, address=None):
+        where = ["--address", address] if address else ["--port", "0"]
+        super().__init__("ping360", "scan.yaml", *where, *(["--fast"] if fast else []), *options,
                          files={"scan.yaml": scenario})
         line = self.process.stdout.readline()
         if not line:
             raise AssertionError(self.process.communicate()[1])
-        self.address = ("127.0.0.1", int(line.rsplit(":", 1)[1]))
+        self.address = (address or "127.0.0.1", int(line.rsplit(":", 1)[1]))
         self.serial = self.process.stdout.readline().split()[-1] if "--pty" in options else None
         self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self.socket.settimeout(60)
@@ -143,6 +144,16 @@ class Ping360Test(unittest.TestCase):
         start = time.monotonic()
         sonar.ask(transducer(0, period=8000, count=1200))
         self.assertGreater(time.monotonic() - start, 1200 * 8000 * 25e-9)  # 0.24 s
+
+    def test_a_search_finds_it_at_its_own_port(self):
+        own = f"127.{os.getpid() // 250 % 250 + 1}.{os.getpid() % 250 + 1}.201"
+        sonar = self.instrument(address=own)
+        self.assertEqual(sonar.address[1], 12345)
+        sonar.socket.sendto(b"Discovery", (own, 30303))
+        data, sender = sonar.socket.recvfrom(2048)
+        self.assertEqual((sender[0], introduced(data)), (own, ("SONAR PING360", own)))
+        sonar.socket.sendto(b"SetSS1IP 000.000.000.000", (own, 30303))  # Not a search: nothing follows.
+        self.assertEqual(sonar.ask(frame(6, struct.pack("<H", 5))), (5, b"\x01\x00\x00\x00"))
 
     def test_the_head_takes_its_time_to_turn(self):
         sonar = self.instrument(fast=False)

@@ -42,6 +42,11 @@ TEST(Ping360Test, TellsWhatItIsWhenAsked) {
   EXPECT_EQ(nack_of(sonar.take(request(1211))), "unknown message");
 }
 
+TEST(Ping360Test, IntroducesItselfInFourLines) {
+  EXPECT_EQ(ping360_introduction({192, 168, 2, 45}),
+            "SONAR PING360\r\nBlue Robotics\r\nMAC Address:- 02-00-00-00-00-01\r\nIP Address:- 192.168.002.045\r\n");
+}
+
 TEST(Ping360Test, ATransducerMessageSetsAllAndTransmits) {
   Ping360 sonar;
   const Ping360Answer answer = sonar.take(kTransducer);

@@ -96,14 +96,14 @@ void add_emulate(const Command& program) {
       "Example:\n  insonify emulate oculus dive.yaml");
 
   const Command ping360 = emulate.add("ping360", "Blue Robotics Ping360: the ping protocol over UDP");
-  EmulateOptions& ping360_options = add_instrument(ping360, 9092, emulate_ping360);
+  EmulateOptions& ping360_options = add_instrument(ping360, kPing360Port, emulate_ping360);
   ping360.flag("--pty", &ping360_options.serial, "Open a serial line too (a pseudo terminal), and print its path");
   ping360.flag("--fast", &ping360_options.fast,
                "Turn the head and read samples out in no time, so that a ping takes as long as its sound travels");
   ping360.footer(
-      "Its range, frequency, gain, pulse and head are as its commands say; the rest is the scenario's. Ctrl-C ends "
-      "it;\n"
-      "SIGUSR1 prints rate and latency.\n\n"
+      "Its range, frequency, gain, pulse and head are as its commands say; the rest is the scenario's. On port 12345,\n"
+      "clients that search for it by broadcast (UDP port 30303) find it. Ctrl-C ends it; SIGUSR1 prints rate and\n"
+      "latency.\n\n"
       "Example:\n  insonify emulate ping360 scan.yaml --port 9092");
 }
 

@@ -43,14 +43,9 @@ boost::asio::ip::address address_of(const EmulateOptions& options) {
   return address;
 }
 
-Ipv4Network network_of(const EmulateOptions& options) {
-  const boost::asio::ip::address address = address_of(options);
-  if (!address.is_v4() || address.is_unspecified()) {
-    throw InputError(fmt::format("--address {} must be one IPv4 address: the sonar sends it in its status messages",
-                                 printable(options.address)));
-  }
+Ipv4Network network_with(const address_v4& address) {
   if (address.is_loopback()) {
-    return {address.to_v4(), address_v4(0xff000000U), address.to_v4()};
+    return {address, address_v4(0xff000000U), address};
   }
   ifaddrs* first = nullptr;
   if (getifaddrs(&first) != 0) {
@@ -58,12 +53,21 @@ Ipv4Network network_of(const EmulateOptions& options) {
   }
   const std::unique_ptr<ifaddrs, decltype(&freeifaddrs)> interfaces(first, &freeifaddrs);
   for (const ifaddrs* interface = first; interface != nullptr; interface = interface->ifa_next) {
-    if (ipv4_of(interface->ifa_addr) == address.to_v4()) {
+    if (ipv4_of(interface->ifa_addr) == address) {
       const address_v4 mask = ipv4_of(interface->ifa_netmask);
-      return {address.to_v4(), mask, address_v4(address.to_v4().to_uint() | ~mask.to_uint())};
+      return {address, mask, address_v4(address.to_uint() | ~mask.to_uint())};
     }
   }
-  throw Error(fmt::format("--address {}: no network interface of this machine has it", printable(options.address)));
+  throw Error(fmt::format("--address {}: no network interface of this machine has it", address.to_string()));
+}
+
+Ipv4Network network_of(const EmulateOptions& options) {
+  const boost::asio::ip::address address = address_of(options);
+  if (!address.is_v4() || address.is_unspecified()) {
+    throw InputError(fmt::format("--address {} must be one IPv4 address: the sonar sends it in its status messages",
+                                 printable(options.address)));
+  }
+  return network_with(address.to_v4());
 }
 
 void EventLoop::run() {

@@ -21,6 +21,9 @@ struct Ipv4Network {
   boost::asio::ip::address_v4 broadcast;  ///< Broadcast address of its network; on loopback the address itself.
 };
 
+/// @throws Error for an address that this machine does not have.
+[[nodiscard]] Ipv4Network network_with(const boost::asio::ip::address_v4& address);
+
 /// Reads --address, and warns as address_of().
 /// @throws InputError for an invalid IPv4 address; Error for one that this machine does not have.
 [[nodiscard]] Ipv4Network network_of(const EmulateOptions& options);

@@ -35,6 +35,9 @@ Ping360Server::Ping360Server(const EmulateOptions& options, EmulatedSonar& sonar
         fmt::format("cannot listen on UDP port {} of {}: {}", options.port, options.address, failure.message()));
   }
   socket_.non_blocking(true);
+  if (endpoint.protocol() == Udp::v4() && options.port == kPing360Port) {
+    discovery_.emplace(socket_);
+  }
   if (options.serial) {
     serial_ = std::make_unique<SerialLine>(loop_.context());
   }

@@ -10,6 +10,7 @@
 
 #include "emulate/emulated_sonar.h"
 #include "emulate/listening.h"
+#include "emulate/ping360_discovery.h"
 #include "emulate/serial_line.h"
 #include "insonify/wire/ping360_sonar.h"
 #include "transport/transport_report.h"
@@ -22,6 +23,9 @@ class Ping360Server {
  public:
   /// Binds the port.
   Ping360Server(const EmulateOptions& options, EmulatedSonar& sonar);
+
+  /// Whether searches by broadcast are answered: clients that find a sonar take its port for granted.
+  [[nodiscard]] bool is_found() const { return discovery_.has_value(); }
 
   /// The address, and the path of the serial line or "".
   [[nodiscard]] std::string address() const;
@@ -69,6 +73,7 @@ class Ping360Server {
   EventLoop loop_{report_};
   EmulatedSonar& sonar_;
   Udp::socket socket_;
+  std::optional<Ping360Discovery> discovery_;
   std::unique_ptr<SerialLine> serial_;
   bool fast_;
   boost::asio::steady_timer ping_timer_{loop_.context()}, scan_timer_{loop_.context()};

@@ -2,9 +2,11 @@
 
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -14,6 +16,14 @@ namespace insonify {
 
 /// Steps of a turn of the head [gradians].
 inline constexpr int kGradiansPerTurn = 400;
+
+/// UDP port of the instrument, where clients that have found it by broadcast call it.
+inline constexpr int kPing360Port = 12345;
+
+/// The instrument's answer to a search by broadcast: four lines, name, maker, MAC address and IP address, as Ping
+/// Viewer and BlueOS read them (src/link/ping360asciiprotocol.h; core/services/ping/ping360_ethernet_prober.py).
+/// @param address  IPv4 address of the instrument.
+[[nodiscard]] std::string ping360_introduction(const std::array<std::uint8_t, 4>& address);
 
 /// Times of the instrument, beside those of the sound, from turns that were timed over Ethernet
 /// (discuss.bluerobotics.com, thread 8328): 400 pings 1 gradian apart take 10.74 s at 2 m and 20.57 s at 20 m, 40 pings
