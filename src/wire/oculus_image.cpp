@@ -60,7 +60,8 @@ std::uint32_t gain_word(double gain_db) {
 template <typename Pixel>
 void add_pixels(std::vector<std::uint8_t>& image, const Ping& ping, int bin, const Amplitude& amplitude, double gain,
                 double exponent) {
-  constexpr float kMost = std::numeric_limits<Pixel>::max();
+  // Of 32 bits the largest float below 2^32.
+  constexpr float kMost = sizeof(Pixel) < sizeof(float) ? std::numeric_limits<Pixel>::max() : 4294967040.0F;
   const auto factor = static_cast<float>(std::sqrt(gain));
   const auto power = static_cast<float>(exponent);
   for (int beam = 0; beam < ping.beam_count; ++beam) {
@@ -73,8 +74,8 @@ void add_pixels(std::vector<std::uint8_t>& image, const Ping& ping, int bin, con
 
 std::vector<std::uint8_t> oculus_image(const OculusPlan& plan, const Ping* ping, const MessageLevels& levels,
                                        int beams) {
-  const bool wide = plan.fire.has(kOculus16Bits);
-  const std::size_t row_size = static_cast<std::size_t>(beams) * (wide ? 2 : 1);
+  const std::size_t pixel_size = plan.fire.wide() ? 4 : plan.fire.has(kOculus16Bits) ? 2 : 1;
+  const std::size_t row_size = static_cast<std::size_t>(beams) * pixel_size;
   const double exponent = (plan.fire.gamma == 0 ? 255 : plan.fire.gamma) / 255.0;
   const Amplitude amplitude(levels);
   double gain_db = plan.gain_db;
@@ -92,7 +93,9 @@ std::vector<std::uint8_t> oculus_image(const OculusPlan& plan, const Ping* ping,
     }
     if (ping == nullptr || row < plan.blank_rows) {
       image.resize(image.size() + row_size);
-    } else if (wide) {
+    } else if (pixel_size == 4) {
+      add_pixels<std::uint32_t>(image, *ping, row - plan.blank_rows, amplitude, word / kOculusGainUnit, exponent);
+    } else if (pixel_size == 2) {
       add_pixels<std::uint16_t>(image, *ping, row - plan.blank_rows, amplitude, word / kOculusGainUnit, exponent);
     } else {
       add_pixels<std::uint8_t>(image, *ping, row - plan.blank_rows, amplitude, word / kOculusGainUnit, exponent);

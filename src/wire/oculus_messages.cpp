@@ -165,8 +165,11 @@ Bytes encode(const OculusPing& ping) {
   } else {  // Microseconds, which wrap after 2^32.
     put(bytes, static_cast<std::uint32_t>(static_cast<std::uint64_t>(ping.start_time * kMicroseconds)));
   }
-  put(bytes, static_cast<std::uint8_t>(ping.fire.has(kOculus16Bits) ? 1 : 0), ping.range_resolution, ping.range_count,
-      static_cast<std::uint16_t>(ping.bearings.size()));
+  put(bytes,
+      static_cast<std::uint8_t>(ping.wide                      ? 3
+                                : ping.fire.has(kOculus16Bits) ? 1
+                                                               : 0),
+      ping.range_resolution, ping.range_count, static_cast<std::uint16_t>(ping.bearings.size()));
   if (second) {
     put_all(bytes, std::array<std::uint32_t, 4>{});  // Reserved.
   }

@@ -10,6 +10,7 @@ STATUS_PORT, DATA_PORT = 52102, 52100
 FIRE, PING, USER_CONFIG, DUMMY = 0x15, 0x23, 0x55, 0xff
 HEADER = "<HHHHHIH"  # Check, source, destination, id, version, payload size, reserved.
 FIRE_BODY = "<BBBBBdddd"  # Mode, ping rate, network speed, gamma, flags, range, gain, sound speed, salinity.
+BITS32 = 0x200  # An extended flag.
 METRES, BITS16, GAIN_SENT, SIMPLE, ASSIST, BEAMS512 = 0x01, 0x02, 0x04, 0x08, 0x10, 0x40
 RATE_10, RATE_15, RATE_40, RATE_5, RATE_2, STANDBY = range(6)
 
@@ -55,7 +56,7 @@ class Ping:
         assert message_size == len(data) == self.offset + self.image_size, (message_size, len(data), self.offset)
         assert self.offset == end + 2 * self.beams
         self.bearings = [hundredths / 100 for hundredths in struct.unpack_from(f"<{self.beams}h", data, end)]
-        pixel = {0: "B", 1: "H"}[self.data_size]
+        pixel = {0: "B", 1: "H", 3: "I"}[self.data_size]
         word = "I" if self.flags & GAIN_SENT else ""
         row = struct.Struct(f"<{word}{self.beams}{pixel}")
         assert self.image_size == row.size * self.rows, (self.image_size, row.size, self.rows)

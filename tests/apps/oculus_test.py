@@ -16,7 +16,7 @@ except ImportError:
     h5py = None
 
 from emulated import INSONIFY
-from oculus_client import (ASSIST, BITS16, DUMMY, GAIN_SENT, METRES, RATE_10, RATE_15, RATE_40, SIMPLE,
+from oculus_client import (ASSIST, BITS16, BITS32, DUMMY, GAIN_SENT, METRES, RATE_10, RATE_15, RATE_40, SIMPLE,
                            USER_CONFIG, Client, fire, message, next_status, status_listener)
 from oculus_rig import NOISE, SCENARIO, USUAL, OculusCase
 
@@ -100,6 +100,17 @@ class OculusTest(OculusCase):
                     if layout == 2:
                         self.assertEqual(ping.extended, (7, *range(1, 9)))
                         self.assertEqual((ping.heading, ping.pitch, ping.roll), (90, 0, 0))  # x is east.
+
+    def test_the_extended_flag_of_layout_2_makes_pixels_of_32_bits(self):
+        client = self.sonar(*NOISE).client()
+        ping = client.ask(flags=METRES | SIMPLE | GAIN_SENT, reach=7.5, layout=2, extended=BITS32)
+        self.assertEqual((ping.data_size, ping.image_size), (3, 400 * (60 * 4 + 4)))
+        self.assertEqual(ping.extended, (BITS32, *[0] * 8))
+        self.assertGreater(max(map(max, ping.image)), 2**24)
+        client.send(fire(flags=METRES | SIMPLE | GAIN_SENT, reach=7.5, layout=1, extended=BITS32))
+        while ping.version != 1:  # Layout 1 has no extended flags.
+            ping = client.ping()
+        self.assertEqual((ping.data_size, ping.image_size), (0, 400 * (60 + 4)))
 
     def test_the_pose_is_told_as_heading_pitch_and_roll(self):
         sonar = self.sonar(scenario=SCENARIO + "trajectory:\n"

@@ -29,7 +29,7 @@ void answer(const Sonar& sonar, const OculusFire& fire) {
   OculusPing result{.fire = plan.fire, .range_count = static_cast<std::uint16_t>(plan.rows), .bearings = {-1, 0, 1}};
   result.image =
       oculus_image(plan, plan.sonar ? &ping : nullptr, {.low_db = -100, .high_db = -40, .gain_per_decade = 30}, 3);
-  const std::size_t pixel = fire.has(kOculus16Bits) ? 2 : 1, word = fire.has(kOculusGainSent) ? 4 : 0;
+  const std::size_t pixel = fire.wide() ? 4 : fire.has(kOculus16Bits) ? 2 : 1, word = fire.has(kOculusGainSent) ? 4 : 0;
   expect(result.image.size() == static_cast<std::size_t>(plan.rows) * (3 * pixel + word));
   expect(encode(result).size() == (fire.layout == 2 ? 202U : 122U) + 6 + result.image.size());
 }

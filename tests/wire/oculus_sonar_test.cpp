@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <cstring>
 
 namespace insonify::oculus_sonar_test {
 namespace {
@@ -171,6 +172,21 @@ TEST_F(OculusImageTest, WidePixelsHave16Bits) {
   plan_.fire.flags = kOculus16Bits;
   // 65535 / 2 = 0x7fff.8, rounded up.
   EXPECT_THAT(oculus_image(plan_, &ping_, levels_, 2), ElementsAre(0, 0, 0, 0, 0xff, 0xff, 0, 0x80, 0xff, 0xff, 0, 0));
+}
+
+TEST_F(OculusImageTest, TheExtendedFlagOfLayout2Asks32Bits) {
+  plan_.fire.flags = kOculus16Bits;
+  plan_.fire.extended_flags = 0x200;
+  EXPECT_EQ(oculus_image(plan_, &ping_, levels_, 2).size(), 12U);  // Layout 1 has no such flags.
+  plan_.fire.layout = 2;
+  const std::vector<std::uint8_t> image = oculus_image(plan_, &ping_, levels_, 2);
+  ASSERT_EQ(image.size(), 24U);
+  std::uint32_t pixels[6];
+  std::memcpy(pixels, image.data(), image.size());
+  EXPECT_EQ(pixels[2], 0xffffff00U);  // The largest float below 2^32.
+  constexpr double kRounding = 1024;  // Floats have 24 bits.
+  EXPECT_NEAR(pixels[3], 2147483648.0, kRounding);
+  EXPECT_EQ(pixels[5], 0U);
 }
 
 TEST_F(OculusImageTest, GammaIsAnExponent) {

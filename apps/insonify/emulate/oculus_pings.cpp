@@ -74,6 +74,7 @@ OculusPings::Received OculusPings::make(const Settings& settings) {
                                .range_resolution = plan.row_length,
                                .range_count = static_cast<std::uint16_t>(plan.rows),
                                .bearings = settings.bearings,
+                               .wide = plan.fire.wide(),
                                .image = oculus_image(plan, ping, settings.levels, sonar.beam_count)},
                     .computing_time = std::chrono::duration<double>(WallClock::now() - transmitted).count(),
                     .transmitted = transmitted};

@@ -60,6 +60,9 @@ enum OculusFlag : std::uint8_t {
   kOculus512Beams = 0x40,       ///< 512 beams; else 256.
 };
 
+/// Bit of OculusFire::extended_flags: pixels of 32 bits.
+inline constexpr std::uint32_t kOculus32Bits = 0x200;
+
 /// Values of OculusFire::ping_rate.
 enum OculusPingRate : std::uint8_t {
   kOculus10Hz = 0,
@@ -82,10 +85,12 @@ struct OculusFire {
   double gain = 0;                             ///< [%], 0..100.
   double sound_speed = 0;                      ///< Assumed [m/s], 1300..1700; 0: from the salinity.
   double salinity = 0;                         ///< Assumed [PSU], 0..50.
-  std::uint32_t extended_flags = 0;            ///< Repeated, without effect.
+  std::uint32_t extended_flags = 0;            ///< kOculus32Bits; others are repeated, without effect.
   std::array<std::uint32_t, 8> reserved = {};  ///< Repeated.
 
   [[nodiscard]] bool has(OculusFlag flag) const { return (flags & flag) != 0; }
+  /// Whether it asks for pixels of 32 bits, which layout 2 can.
+  [[nodiscard]] bool wide() const { return layout == 2 && (extended_flags & kOculus32Bits) != 0; }
 
   [[nodiscard]] bool operator==(const OculusFire&) const = default;
 };
@@ -115,8 +120,10 @@ struct OculusPing {
   std::uint16_t range_count = 0;
   std::vector<std::int16_t> bearings = {};  ///< Bearing of each beam, positive to starboard, rising [0.01 deg].
 
-  /// Rows from the nearest range to the farthest; in each, with kOculusGainSent, the gain (u32), then a pixel of 1 or 2
-  /// bytes for each beam.
+  bool wide = false;  ///< Whether pixels have 32 bits.
+
+  /// Rows from the nearest range to the farthest; in each, with kOculusGainSent, the gain (u32), then a pixel of 1, 2
+  /// or 4 bytes for each beam.
   std::vector<std::uint8_t> image = {};
 };
 
