@@ -95,7 +95,7 @@ struct MessageOptions {
 enum class MessageForm { kRos2, kRos1, kGazebo };
 
 /// Contents of a channel.
-enum class MessageKind { kSonarImage, kFan, kPoints, kPose, kTransforms, kScenario, kRaw };
+enum class MessageKind { kSonarImage, kFan, kPoints, kTruePoints, kPose, kTransforms, kScenario, kRaw };
 
 /// Messages of one kind on one topic.
 struct MessageChannel {
@@ -123,11 +123,13 @@ struct MessageLevels {
 /// | kSonarImage | /NAME/sonar_image  | marine_acoustic_msgs/msg/ProjectedSonarImage | NAME_beams  |
 /// | kFan        | /NAME/fan          | sensor_msgs/msg/Image, rgb8                  | NAME        |
 /// | kPoints     | /NAME/points       | sensor_msgs/msg/PointCloud2                  | NAME        |
+/// | kTruePoints | /NAME/true_points  | sensor_msgs/msg/PointCloud2                  | NAME        |
 /// | kPose       | /NAME/pose         | geometry_msgs/msg/PoseStamped                | world       |
 /// | kTransforms | /tf                | tf2_msgs/msg/TFMessage                       |             |
 /// | kScenario   | /scenario          | std_msgs/msg/String                          |             |
 /// | kRaw        | /NAME/raw          | sensor_msgs/msg/Image, mono8 or mono16       | NAME        |
 ///
+/// Points are in the middle of their beams, as a sonar knows them; true points at the elevations of the ground truth.
 /// kRaw exists with MessageOptions::raw only: the values of the sonar image, row i its bin i, column 0 the beam
 /// furthest to port. NAME is MessageSource::name. Frame NAME is that of the housing (x forward, y to port, z up).
 /// NAME_beams, of the sonar image, has z along the middle of the fan, y to port, x down. docs/reference/messages.md has

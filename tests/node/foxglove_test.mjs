@@ -96,8 +96,8 @@ async function counting(address) {
 }
 
 function checkChannels(channels) {
-  const expected = ["/fls/sonar_image", "/fls/fan", "/fls/points", "/fls/pose", "/side/sonar_image", "/side/fan",
-    "/side/points", "/side/pose", "/tf", "/scenario"];
+  const expected = ["/fls/sonar_image", "/fls/fan", "/fls/points", "/fls/true_points", "/fls/pose", "/side/sonar_image",
+    "/side/fan", "/side/points", "/side/true_points", "/side/pose", "/tf", "/scenario"];
   assert.deepEqual([...channels.keys()].sort(), expected.sort());
   for (const channel of channels.values()) {
     assert.equal(channel.encoding, "cdr");

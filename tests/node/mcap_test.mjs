@@ -118,7 +118,8 @@ function checkImages(images, h5, name, bits) {
   });
 }
 
-function checkPoints(clouds, h5, name) {
+// Points are in the middle of the beam, true points at the elevations of the ground truth.
+function checkPoints(clouds, h5, name, trueElevations) {
   let known = 0;
   clouds.forEach((cloud, ping) => {
     assert.equal(cloud.header.frame_id, name);
@@ -138,7 +139,7 @@ function checkPoints(clouds, h5, name) {
       const beam = h5.azimuth.findIndex((a) => Math.cos(a + head - azimuth) > 1 - 1e-9);
       assert.ok(bin >= 0 && beam >= 0, `no cell at ${range} m, ${azimuth} rad`);
       near(level, 10 * Math.log10(h5.intensity[ping][bin][beam]), 1e-3, "level");
-      near(Math.asin(z / range), h5.elevation[ping][bin][beam] ?? 0, 1e-5, "elevation");
+      near(Math.asin(z / range), (trueElevations && h5.elevation[ping][bin][beam]) || 0, 1e-5, "elevation");
       known += h5.elevation[ping][bin][beam] !== null ? 1 : 0;
     }
   });
@@ -161,9 +162,11 @@ function checkPoses(poses, transforms, h5, name) {
 test("a run's file holds what the HDF5 recording holds", async () => {
   const { reader, found } = await messages("out/bow-1.mcap");
   assert.equal(reader.header.profile, "ros2");
-  assert.deepEqual(Object.keys(found).sort(), ["/bow_1/fan", "/bow_1/points", "/bow_1/pose", "/bow_1/sonar_image", "/scenario", "/tf"]);
+  assert.deepEqual(Object.keys(found).sort(), ["/bow_1/fan", "/bow_1/points", "/bow_1/pose", "/bow_1/sonar_image", "/bow_1/true_points",
+    "/scenario", "/tf"]);
   checkImages(found["/bow_1/sonar_image"], bow, "bow_1", 16);
-  checkPoints(found["/bow_1/points"], bow, "bow_1");
+  checkPoints(found["/bow_1/points"], bow, "bow_1", false);
+  checkPoints(found["/bow_1/true_points"], bow, "bow_1", true);
   checkPoses(found["/bow_1/pose"], found["/tf"], bow, "bow_1");
   assert.equal(found["/scenario"][0].data, bow.scenario);
   assert.equal(found["/bow_1/sonar_image"][0].ping_info.frequency, 455000);
@@ -179,7 +182,8 @@ test("a run's file holds what the HDF5 recording holds", async () => {
 test("a scanning head's file turns its beam", async () => {
   const { found } = await messages("out/around.mcap");
   checkImages(found["/around/sonar_image"], around, "around", 16);
-  checkPoints(found["/around/points"], around, "around");
+  checkPoints(found["/around/points"], around, "around", false);
+  checkPoints(found["/around/true_points"], around, "around", true);
   checkPoses(found["/around/pose"], found["/tf"], around, "around");
 });
 

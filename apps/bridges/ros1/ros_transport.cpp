@@ -19,6 +19,8 @@ const char* name_of(MessageKind kind) {
       return "fan";
     case MessageKind::kPoints:
       return "points";
+    case MessageKind::kTruePoints:
+      return "true_points";
     case MessageKind::kPose:
       return "pose";
     case MessageKind::kTransforms:

@@ -145,6 +145,7 @@ void collect(std::string_view type, MessageForm form, std::vector<std::string_vi
 std::string_view gazebo_type(MessageKind kind) {
   switch (kind) {
     case MessageKind::kPoints:
+    case MessageKind::kTruePoints:
       return "gz.msgs.PointCloudPacked";
     case MessageKind::kPose:
       return "gz.msgs.Pose";
@@ -197,6 +198,7 @@ std::vector<MessageChannel> message_channels(const std::string& name, MessageFor
       channel(MessageKind::kSonarImage, at + "/sonar_image", "marine_acoustic_msgs", "ProjectedSonarImage"),
       channel(MessageKind::kFan, at + "/fan", "sensor_msgs", "Image"),
       channel(MessageKind::kPoints, at + "/points", "sensor_msgs", "PointCloud2"),
+      channel(MessageKind::kTruePoints, at + "/true_points", "sensor_msgs", "PointCloud2"),
       channel(MessageKind::kPose, at + "/pose", "geometry_msgs", "PoseStamped"),
       channel(MessageKind::kTransforms, "/tf", "tf2_msgs", "TFMessage"),
       channel(MessageKind::kScenario, "/scenario", "std_msgs", "String")};

@@ -80,7 +80,7 @@ double intensity_of_share(const MessageLevels& levels, double share, double rang
 }
 
 std::vector<CloudPoint> strong_points(const Ping& ping, const std::vector<float>& raised, const SonarConfig& sonar,
-                                      double share) {
+                                      double share, bool true_elevations) {
   std::vector<CloudPoint> points;
   const float threshold = threshold_of(raised, share);
   for (int bin = 0; bin < ping.bin_count && threshold > 0; ++bin) {
@@ -89,7 +89,7 @@ std::vector<CloudPoint> strong_points(const Ping& ping, const std::vector<float>
       if (!(raised[cell] >= threshold)) {
         continue;
       }
-      const bool known = !ping.elevation.empty() && std::isfinite(ping.elevation[cell]);
+      const bool known = true_elevations && !ping.elevation.empty() && std::isfinite(ping.elevation[cell]);
       const double elevation = known ? static_cast<double>(ping.elevation[cell]) : sonar.elevation_center;
       const Vec3 place =
           point_from_spherical({sonar.bin_range(bin), sonar.beam_azimuth(beam) + ping.head_angle, elevation});

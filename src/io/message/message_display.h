@@ -24,12 +24,12 @@ namespace insonify {
 [[nodiscard]] double intensity_of_share(const MessageLevels& levels, double share, double range);
 
 /// The cells with the highest levels, with gain over range, as points in the frame of the housing; never cells without
-/// an echo. A point is at its bin's range and its beam's azimuth (plus the head's angle of a scanning sonar). Its
-/// elevation comes from the ground truth, or is the middle of the sonar's elevation aperture if unknown. Its intensity
-/// is 10 log10 of the recorded one [dB].
+/// an echo. A point is at its bin's range and its beam's azimuth (plus the head's angle of a scanning sonar), in the
+/// middle of the sonar's elevation aperture. Its intensity is 10 log10 of the recorded one [dB].
 /// @param raised  The ping's intensities with the gain over range.
 /// @param share   Share of the ping's cells, in (0, 1].
+/// @param true_elevations  Whether elevations are those of the ground truth, where they are known.
 [[nodiscard]] std::vector<CloudPoint> strong_points(const Ping& ping, const std::vector<float>& raised,
-                                                    const SonarConfig& sonar, double share);
+                                                    const SonarConfig& sonar, double share, bool true_elevations);
 
 }  // namespace insonify

@@ -98,6 +98,7 @@ struct SonarMessages::State {
   [[nodiscard]] std::vector<std::byte> sonar_image() const;
   [[nodiscard]] std::vector<std::byte> raw_image() const;
   [[nodiscard]] Picture fan() const;
+  [[nodiscard]] std::vector<std::byte> points(bool true_elevations) const;
   [[nodiscard]] std::vector<std::byte> transforms() const;
 };
 
@@ -146,6 +147,11 @@ Picture SonarMessages::State::fan() const {
     view.add(raised);
   }
   return view.draw(display);
+}
+
+std::vector<std::byte> SonarMessages::State::points(bool true_elevations) const {
+  return encode_cloud(form, header(name),
+                      strong_points(ping, raised.intensity, source.sonar, options.strong_share, true_elevations));
 }
 
 std::vector<std::byte> SonarMessages::State::transforms() const {
@@ -247,9 +253,9 @@ std::vector<std::byte> SonarMessages::encode(std::size_t channel) const {
     case MessageKind::kFan:
       return encode_image(state.form, state.header(state.name), state.fan());
     case MessageKind::kPoints:
-      return encode_cloud(
-          state.form, state.header(state.name),
-          strong_points(state.ping, state.raised.intensity, state.source.sonar, state.options.strong_share));
+      return state.points(false);
+    case MessageKind::kTruePoints:
+      return state.points(true);
     case MessageKind::kPose:
       return encode_pose(state.form, state.header(state.options.world_frame), state.ping.world_from_sonar);
     case MessageKind::kTransforms:

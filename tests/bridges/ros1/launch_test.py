@@ -19,7 +19,7 @@ import ros1_kit as kit  # noqa: E402
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 if shutil.which("roslaunch") is None:
     kit.skip("there is no roslaunch (package python3-roslaunch)")
-TOPICS = {"image", "fan", "raw", "points", "pose", "scenario"}
+TOPICS = {"image", "fan", "raw", "points", "true_points", "pose", "scenario"}
 
 
 class LaunchTest(unittest.TestCase):

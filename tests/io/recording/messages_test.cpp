@@ -86,10 +86,11 @@ TEST(SonarMessagesTest, NamesTopicsAfterTheSonar) {
   for (const MessageChannel& channel : messages.channels()) {
     topics.push_back(channel.topic + " " + channel.type);
   }
-  EXPECT_THAT(topics, ElementsAre("/fls_2/sonar_image marine_acoustic_msgs/msg/ProjectedSonarImage",
-                                  "/fls_2/fan sensor_msgs/msg/Image", "/fls_2/points sensor_msgs/msg/PointCloud2",
-                                  "/fls_2/pose geometry_msgs/msg/PoseStamped", "/tf tf2_msgs/msg/TFMessage",
-                                  "/scenario std_msgs/msg/String"));
+  EXPECT_THAT(topics,
+              ElementsAre("/fls_2/sonar_image marine_acoustic_msgs/msg/ProjectedSonarImage",
+                          "/fls_2/fan sensor_msgs/msg/Image", "/fls_2/points sensor_msgs/msg/PointCloud2",
+                          "/fls_2/true_points sensor_msgs/msg/PointCloud2", "/fls_2/pose geometry_msgs/msg/PoseStamped",
+                          "/tf tf2_msgs/msg/TFMessage", "/scenario std_msgs/msg/String"));
 }
 
 TEST(SonarMessagesTest, SonarImageIsRangeMajorWithStarboardAtPositiveAzimuth) {
