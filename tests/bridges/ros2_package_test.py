@@ -1,6 +1,7 @@
-"""The package in ros2/ is whole as far as that shows without ROS 2, and the layout for Foxglove shows topics that exist."""
+"""The packages in ros1/ and ros2/ are whole as far as that shows without ROS, and the layout for Foxglove shows topics that exist."""
 
 import json
+import os
 import pathlib
 import re
 import runpy
@@ -91,6 +92,32 @@ class Ros2PackageTest(unittest.TestCase):
                             options="--domain 7 --local", **way)
             done = subprocess.run([INSONIFY, *words[1:]], capture_output=True, text=True, check=False)
             self.assertEqual((done.returncode, done.stderr), (2, "insonify: not-there.yaml: no such file\n"))
+
+
+class Ros1PackageTest(unittest.TestCase):
+    def test_the_package_has_the_version_of_the_project(self):
+        package = xml.etree.ElementTree.parse(ROOT / "ros1/package.xml").getroot()
+        self.assertEqual(package.find("version").text, VERSION)
+        self.assertIn(f"project({package.find('name').text})", (ROOT / "ros1/CMakeLists.txt").read_text())
+
+    def test_it_is_built_and_installed_by_catkin(self):
+        if not pathlib.Path("/usr/share/catkin/cmake").is_dir():
+            self.skipTest("needs the package catkin")
+        with tempfile.TemporaryDirectory() as folder:
+            workspace = pathlib.Path(folder) / "src"
+            workspace.mkdir()
+            shutil.copy("/usr/share/catkin/cmake/toplevel.cmake", workspace / "CMakeLists.txt")
+            shutil.copytree(ROOT / "ros1", workspace / "insonify_ros1")
+            environment = {**os.environ, "CMAKE_BUILD_TYPE": ""}
+            for words in (["-S", workspace, "-B", f"{folder}/build", f"-DCMAKE_INSTALL_PREFIX={folder}/there",
+                           f"-DCATKIN_DEVEL_PREFIX={folder}/devel", "-DCATKIN_ENABLE_TESTING=OFF",
+                           "-DPYTHON_EXECUTABLE=/usr/bin/python3"], ["--install", f"{folder}/build"]):
+                done = subprocess.run(["cmake", *words], capture_output=True, text=True, check=False, env=environment)
+                self.assertEqual(done.returncode, 0, done.stderr)
+            there = pathlib.Path(folder) / "there"
+            self.assertTrue(os.access(there / "lib/insonify_ros1/bridge", os.X_OK))
+            for file in ("package.xml", "launch/bridge.launch", "rviz/insonify.rviz"):
+                self.assertTrue((there / "share/insonify_ros1" / file).is_file(), file)
 
 
 class FoxgloveLayoutTest(unittest.TestCase):
