@@ -101,7 +101,7 @@ setUpKeyboard(flight, [
   [",", "Shorter range", () => changeRange(store, apply, -1)],
   [".", "Longer range", () => changeRange(store, apply, 1)],
   ["t", "Follow the trajectory", press("follow")],
-  ["h", "Hold the picture", press("freeze")],
+  ["h", "Hold (freeze) the picture", press("freeze")],
   ["f", "Full screen", press("full")],
   ["i", "Small views", press("side")],
   ["c", "Controls", press("drawer")],
