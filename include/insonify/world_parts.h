@@ -76,6 +76,9 @@ class WorldParts {
   /// @throws Error for two parts of the same name, and with `strict` for one that cannot be made.
   [[nodiscard]] Scene scene(std::span<const WorldPart> parts, const std::string& name);
 
+  /// Notes the name of a part that the caller leaves out: `ignore` patterns that match it are not reported as unused.
+  void leave_out(const std::string& name);
+
   /// Warns of each `ignore` pattern without a match so far.
   void report_unused_patterns(const std::string& name) const;
 

@@ -19,6 +19,7 @@ namespace {
 constexpr std::chrono::milliseconds kLook{300};       // Between checks for worlds.
 constexpr std::chrono::milliseconds kRequest{200};    // Between requests for the scene.
 constexpr std::chrono::milliseconds kSettling{1000};  // Until it is known whether Gazebo marks static entities.
+constexpr std::chrono::milliseconds kDeath{4000};     // Until a dead server is forgotten: 3 s of silence, by default.
 
 double seconds(const ignition::msgs::Time& time) {
   return static_cast<double>(time.sec()) + 1e-9 * time.nsec();
@@ -123,6 +124,7 @@ bool GazeboFollower::look_for_server() {
     return false;
   }
   const ServedWorld& found = worlds.front();
+  warn_of_several_servers(found);
   if (served_ && served_->process == found.process) {
     return false;
   }
@@ -139,6 +141,20 @@ bool GazeboFollower::look_for_server() {
   stamp_ = 0;
   subscribe();
   return true;
+}
+
+// A server that died without a word is listed for some seconds more.
+void GazeboFollower::warn_of_several_servers(const ServedWorld& world) {
+  if (world.servers < 2) {
+    several_since_.reset();
+  } else if (!several_since_) {
+    several_since_ = Clock::now();
+  } else if (Clock::now() - *several_since_ > kDeath) {
+    warn_once(
+        fmt::format("{} servers have a world {} in the partition {}: their poses are mixed; give each its own "
+                    "GZ_PARTITION",
+                    world.servers, printable(world.name), printable(gazebo_partition())));
+  }
 }
 
 void GazeboFollower::subscribe() {
@@ -222,7 +238,7 @@ void GazeboFollower::update_objects() {
   needs_update_ = false;
   const std::string name = fmt::format("the world {}", printable(served_ ? served_->name : subscribed_));
   const SceneKeeper::Change change =
-      keeper_.update(world_, carriers_.ids(loop_.world()->scenario.sonars, world_), name, loop_, log_);
+      keeper_.update(world_, carriers_.ids(loop_.world()->scenario.sonars, world_), name, stamp_, loop_, log_);
   if (!std::exchange(announced_world_, true)) {
     log_(Severity::kInfo, fmt::format("following {}: {} visuals, {} of them in models that move", name,
                                       keeper_.object_count(), keeper_.moving_count()));

@@ -70,6 +70,7 @@ class GazeboFollower {
 
   void follow();
   [[nodiscard]] bool look_for_server();
+  void warn_of_several_servers(const ServedWorld& world);
   void subscribe();
   void read_scene();
   void take(Mail mail);
@@ -95,6 +96,7 @@ class GazeboFollower {
   bool newest_changes_ = false;  // Whether poses arrived since the last drive().
   double stamp_ = 0;             // Time of the newest poses [s].
   Clock::time_point next_look_, next_request_, settled_at_;
+  std::optional<Clock::time_point> several_since_;  // Since when several servers have this world.
   std::string last_warning_;
   std::thread thread_;
 };

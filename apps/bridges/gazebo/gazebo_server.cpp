@@ -6,6 +6,7 @@
 #include <ignition/msgs/empty.pb.h>
 
 #include <algorithm>
+#include <set>
 
 #include "gazebo/gazebo_names.h"
 
@@ -21,7 +22,11 @@ std::vector<ServedWorld> GazeboServer::worlds() const {
     const std::optional<std::string> name = world_of_service(service);
     if (name && node_.ServiceInfo(service, publishers) && !publishers.empty()) {
       const auto& last = publishers.back();  // A dead one may be listed before it.
-      worlds.push_back({*name, last.PUuid(), last.RepTypeName().starts_with("gz.")});
+      std::set<std::string> processes;
+      for (const auto& publisher : publishers) {
+        processes.insert(publisher.PUuid());
+      }
+      worlds.push_back({*name, last.PUuid(), last.RepTypeName().starts_with("gz."), processes.size()});
     }
   }
   return worlds;

@@ -14,8 +14,9 @@ namespace insonify {
 /// A world that Gazebo serves.
 struct ServedWorld {
   std::string name;
-  std::string process;  ///< Differs after each start of Gazebo.
-  bool newer = false;   ///< Whether its types are called gz.msgs.
+  std::string process;      ///< Differs after each start of Gazebo.
+  bool newer = false;       ///< Whether its types are called gz.msgs.
+  std::size_t servers = 1;  ///< Processes that serve a world of this name, one that died some seconds ago included.
 };
 
 class GazeboServer {

@@ -24,14 +24,23 @@ std::string SceneKeeper::material_of(const std::string& name) const {
   return found == materials_.end() ? "" : found->second;
 }
 
+// Whether a static visual that moved has been at one place for long. After a reset of the world its time starts again.
+bool SceneKeeper::rests(Id id, const Pose& world_from_part, Kept& kept, double stamp) {
+  if (is_elsewhere(kept.world_from_part, world_from_part) || stamp < kept.since) {
+    kept.world_from_part = world_from_part;
+    kept.since = stamp;
+  }
+  return stamp - kept.since > kRest && restless_.erase(id) > 0;
+}
+
 // Whether a visual in the scene is up to date.
-bool SceneKeeper::is_as_before(const GazeboWorld& world, Id id, const GazeboWorld::Entity& entity, const Kept& kept,
-                               bool is_left_out) {
+bool SceneKeeper::is_as_before(const GazeboWorld& world, Id id, const GazeboWorld::Entity& entity, Kept& kept,
+                               bool is_left_out, double stamp) {
   if (!(kept.visual == *entity.visual) || kept.name != entity.name || (is_left_out && kept.made)) {
     return false;
   }
   if (!kept.made || kept.moving) {
-    return true;
+    return !kept.made || !restless_.contains(id) || !rests(id, world.world_from(id), kept, stamp);
   }
   if (is_elsewhere(kept.world_from_part, world.world_from(id))) {
     restless_.insert(id);
@@ -41,17 +50,17 @@ bool SceneKeeper::is_as_before(const GazeboWorld& world, Id id, const GazeboWorl
 }
 
 SceneKeeper::Change SceneKeeper::update(const GazeboWorld& world, const std::set<Id>& left_out, const std::string& name,
-                                        LiveLoop& loop, const Log& log) {
+                                        double stamp, LiveLoop& loop, const Log& log) {
   const auto is_left_out = [&](Id id) {
     return std::ranges::any_of(left_out, [&](Id carrier) { return world.is_in(id, carrier); });
   };
   // Stored only after all could be made.
   LiveObjects change;
   std::set<Id> gone;
-  for (const auto& [id, kept] : kept_) {
+  for (auto& [id, kept] : kept_) {
     const auto entity = world.entities().find(id);
     if (entity != world.entities().end() && entity->second.visual &&
-        is_as_before(world, id, entity->second, kept, is_left_out(id))) {
+        is_as_before(world, id, entity->second, kept, is_left_out(id), stamp)) {
       continue;
     }
     gone.insert(id);
@@ -73,8 +82,10 @@ SceneKeeper::Change SceneKeeper::update(const GazeboWorld& world, const std::set
     kept.visual = *entity.visual;
     kept.name = entity.name;
     kept.world_from_part = world.world_from(id);
+    kept.since = stamp;
     kept.moving = world.is_moving(id) || restless_.contains(id);
     if (is_left_out(id)) {
+      parts_.leave_out(entity.name);
       continue;
     }
     if (const std::string* reason = std::get_if<std::string>(&entity.visual->shape)) {

@@ -28,12 +28,16 @@ class SceneKeeper {
     std::size_t removed = 0, added = 0;
   };
 
-  /// Adds new visuals, removes old ones, and makes those movable that have moved.
+  /// Adds new visuals, removes old ones, makes static ones movable that have moved, and still again those that have
+  /// not moved for kRest.
   /// @param left_out  Entities that carry a sonar; their visuals are not added.
+  /// @param stamp     Time of the world [s].
   /// @param name      Of the world, for messages.
   /// @throws Error with WorldOptions::strict for a visual that cannot be converted.
-  Change update(const GazeboWorld& world, const std::set<Id>& left_out, const std::string& name, LiveLoop& loop,
-                const Log& log);
+  Change update(const GazeboWorld& world, const std::set<Id>& left_out, const std::string& name, double stamp,
+                LiveLoop& loop, const Log& log);
+
+  static constexpr double kRest = 10;  ///< [s]
 
   /// Poses of all moving objects.
   [[nodiscard]] std::vector<MovedObject> moved(const GazeboWorld& world) const;
@@ -46,14 +50,16 @@ class SceneKeeper {
   struct Kept {
     GazeboVisual visual;
     std::string name;
-    Pose world_from_part;  // At the time of adding.
+    Pose world_from_part;  // At the time of adding; of a static visual that moved, the last one ...
+    double since = 0;      // ... and the time since which it is there [s].
     Pose part_from_mesh;
     bool moving = false;
     bool made = false;  // False if it cannot be converted or carries a sonar.
   };
 
-  [[nodiscard]] bool is_as_before(const GazeboWorld& world, Id id, const GazeboWorld::Entity& entity, const Kept& kept,
-                                  bool is_left_out);
+  [[nodiscard]] bool is_as_before(const GazeboWorld& world, Id id, const GazeboWorld::Entity& entity, Kept& kept,
+                                  bool is_left_out, double stamp);
+  [[nodiscard]] bool rests(Id id, const Pose& world_from_part, Kept& kept, double stamp);
   [[nodiscard]] std::string material_of(const std::string& name) const;
 
   WorldParts parts_;

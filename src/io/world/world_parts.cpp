@@ -107,6 +107,10 @@ Scene WorldParts::scene(std::span<const WorldPart> parts, const std::string& nam
   return scene;
 }
 
+void WorldParts::leave_out(const std::string& name) {
+  (void)state_->is_ignored(name);
+}
+
 void WorldParts::report_unused_patterns(const std::string& name) const {
   state_->ignored.report_unused(name, state_->log);
 }
