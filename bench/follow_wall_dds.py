@@ -28,7 +28,7 @@ def follow(path, insonify, vehicle, seconds, distance_at):
     with own_domain() as domain, contextlib.ExitStack() as programs:
         bridge = programs.enter_context(subprocess.Popen(
             [insonify, "bridge", "dds", "follow.yaml", "--local", "--domain", str(domain), "--odometry", "/auv/odom",
-             f"--levels={LEVELS[0]}:{LEVELS[1]}"], cwd=path, text=True, stdout=subprocess.PIPE))
+             "--bits", "16", f"--levels={LEVELS[0]}:{LEVELS[1]}"], cwd=path, text=True, stdout=subprocess.PIPE))
         ride = programs.enter_context(subprocess.Popen(
             [vehicle, str(domain), *map(str, LEVELS)], text=True, stdin=subprocess.PIPE, stdout=subprocess.PIPE))
         try:

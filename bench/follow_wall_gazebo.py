@@ -17,7 +17,7 @@ def follow(path, insonify, vehicle, seconds, distance_at):
     with contextlib.ExitStack() as programs:
         bridge = programs.enter_context(subprocess.Popen(
             [insonify, "bridge", "gazebo", "follow.yaml", "--vehicle", "auv",
-             f"--levels={LEVELS[0]}:{LEVELS[1]}"], cwd=path, text=True, stdout=subprocess.PIPE, env=environment))
+             "--bits", "16", f"--levels={LEVELS[0]}:{LEVELS[1]}"], cwd=path, text=True, stdout=subprocess.PIPE, env=environment))
         ride = programs.enter_context(subprocess.Popen(
             [vehicle, *map(str, LEVELS)], text=True, stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=environment))
         try:

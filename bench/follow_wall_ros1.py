@@ -104,7 +104,7 @@ def follow(path, insonify, seconds, distance_at):
     import nav_msgs.msg
     import rospy
     bridge = subprocess.Popen([insonify, "bridge", "ros1", "follow.yaml", "--odometry", "/auv/odom",
-                               f"--levels={LEVELS[0]}:{LEVELS[1]}"], cwd=path, text=True, stdout=subprocess.PIPE)
+                               "--bits", "16", f"--levels={LEVELS[0]}:{LEVELS[1]}"], cwd=path, text=True, stdout=subprocess.PIPE)
     try:
         rospy.init_node("ride", disable_signals=True)
         arrived = []

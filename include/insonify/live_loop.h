@@ -95,6 +95,8 @@ class LiveListener {
   virtual void on_world(const std::shared_ptr<const LiveWorld>& world) = 0;
   /// A line to show, such as a warning about a setting or the reason why the vehicle stopped.
   virtual void on_note(const std::string& text) = 0;
+  /// Another program's clock, by LiveLoop::advance() [s].
+  virtual void on_clock(double /*time*/) {}
   /// Called when the files of a recording are closed, complete or not.
   virtual void on_recorded(const LiveRecording& /*recording*/) {}
 };

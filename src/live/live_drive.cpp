@@ -96,6 +96,9 @@ void LiveLoop::advance(double time) {
   }
   state.clock = time;
   state.wake.notify_all();
+  if (state.listener != nullptr && !state.ending) {
+    state.listener->on_clock(time);
+  }
 }
 
 }  // namespace insonify

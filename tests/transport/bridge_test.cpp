@@ -100,22 +100,32 @@ class RecordingTransport : public Transport {
   std::size_t begun_with_ = 0;
 };
 
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
 class BridgeTest : public testing::Test {
  protected:
   BridgeTest() { folder_.write("dive.yaml", kScenario); }
 
-  std::unique_ptr<Bridge> bridge(const LiveOptions& live = {}) {
-    return std::make_unique<Bridge>(BridgeOptions{.scenario = "dive.yaml", .live = live, .quiet = true}, transport_,
-                                    MessageForm::kRos1);
+  std::unique_ptr<Bridge> bridge(const LiveOptions& live = {}, bool at_once = false) {
+    return std::make_unique<Bridge>(
+        BridgeOptions{.scenario = "dive.yaml", .live = live, .at_once = at_once, .quiet = true}, transport_,
+        MessageForm::kRos1);
+  }
+
+  // Waits until so many pings are made.
+  static void wait_for_pings(Bridge& bridge, std::uint64_t count) {
+    const Clock::time_point start = Clock::now();
+    while (bridge.loop().state().pings_made < count && seconds_since(start) < 120) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    EXPECT_GE(bridge.loop().state().pings_made, count);
   }
 
   WorkingFolder folder_;
   RecordingTransport transport_;
 };
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 // Number of the ping, the first field of a message's header in ROS 1.
 std::uint32_t sequence(const Sent& sent) {
@@ -149,12 +159,8 @@ TEST_F(BridgeTest, WhatNobodyReadsIsNotSent) {
   transport_.read.reset();
   const auto bridge = this->bridge();
   bridge->start();
-  const Clock::time_point start = Clock::now();
-  while (bridge->loop().state().pings_made < 3 && seconds_since(start) < 120) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
+  wait_for_pings(*bridge, 3);
   bridge->end();
-  EXPECT_GE(bridge->loop().state().pings_made, 3U);
   EXPECT_EQ(transport_.all().size(), 1U);  // The scenario.
 }
 
@@ -199,8 +205,66 @@ TEST_F(BridgeTest, MessagesHaveTheStampOfThePose) {
   }
 }
 
-TEST_F(BridgeTest, WithAClockMessagesHaveItsTime) {
+TEST_F(BridgeTest, NoPingIsSentBeforeItsLastEchoIsBack) {
+  folder_.write("dive.yaml", std::string("water: {sound_speed: 1500}\n") + kScenario);
   const auto bridge = this->bridge({.clocked = true});
+  bridge->start();
+  bridge->loop().advance(70);
+  wait_for_pings(*bridge, 1);
+  // 6 m and back at 1500 m/s are 8 ms.
+  bridge->loop().advance(70.0079);
+  transport_.wait_for(MessageKind::kScenario, 1);
+  EXPECT_EQ(transport_.all().size(), 1U);
+  bridge->loop().advance(70.0081);
+  EXPECT_EQ(transport_.wait_for(MessageKind::kSonarImage, 1).back().time_ns, 70'000'000'000U);
+  // A clock that is set back releases what would wait for long.
+  bridge->loop().advance(70.0101);
+  wait_for_pings(*bridge, 2);
+  bridge->loop().advance(3);
+  EXPECT_EQ(transport_.wait_for(MessageKind::kSonarImage, 2).size(), 2U);
+}
+
+// A sonar that hears up to 100 m.
+constexpr const char* kFar = R"(world: none
+sonars:
+  - {name: fls, beam_count: 4, bin_count: 30, max_range: 100, assumed_sound_speed: 1500, ping_period: 0.2,
+     sampling: {columns_per_beam: 1, rows: 4}}
+)";
+
+// Mean time from transmission to message [ms].
+double latency(const Bridge& bridge) {
+  const std::string text = bridge.report().text();
+  return std::stod(text.substr(text.find("; ") + 2));
+}
+
+TEST_F(BridgeTest, ByTheWallClockPingsWaitToo) {
+  folder_.write("dive.yaml", kFar);
+  const auto bridge = this->bridge();
+  bridge->start();
+  transport_.wait_for(MessageKind::kSonarImage, 1);
+  bridge->end();
+  EXPECT_GT(latency(*bridge), 133.3);  // 200 m.
+}
+
+TEST_F(BridgeTest, AtOncePingsDoNotWait) {
+  folder_.write("dive.yaml", kFar);
+  const auto bridge = this->bridge({}, true);
+  bridge->start();
+  transport_.wait_for(MessageKind::kSonarImage, 1);
+  bridge->end();
+  EXPECT_LT(latency(*bridge), 133.3);  // 1 ms on an idle machine.
+}
+
+TEST_F(BridgeTest, StampsBeginAfterZero) {
+  const auto bridge = this->bridge({.driven = true, .clocked = true}, true);
+  bridge->start();
+  bridge->loop().drive({.stamp = 0});
+  bridge->loop().advance(0);
+  EXPECT_EQ(transport_.wait_for(MessageKind::kSonarImage, 1).back().time_ns, 1U);
+}
+
+TEST_F(BridgeTest, WithAClockMessagesHaveItsTime) {
+  const auto bridge = this->bridge({.clocked = true}, true);
   bridge->start();
   for (int i = 0; i < 3; ++i) {
     bridge->loop().advance(500 + 0.01 * i);

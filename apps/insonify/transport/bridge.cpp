@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
+#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -77,19 +79,44 @@ void Bridge::set_gain(std::size_t sonar, double gain_db) {
   gains_changed_ = true;
 }
 
+// The clock of the pings [s]: another program's, or the time since some moment.
+double Bridge::now() const {
+  return options_.live.clocked ? clock_ : std::chrono::duration<double>(WallClock::now().time_since_epoch()).count();
+}
+
 void Bridge::on_ping(const std::shared_ptr<const LivePing>& ping) {
+  const SonarConfig& sonar = ping->world->sonars[static_cast<std::size_t>(ping->sonar)];
+  const double travel = options_.at_once ? 0 : 2 * sonar.max_range / *sonar.assumed_sound_speed;
   const std::lock_guard lock(mutex_);
-  if (waiting_.size() == kMostWaiting) {
-    waiting_.pop_front();
+  const double transmitted = options_.live.clocked ? ping->clock : now() - ping->computing_time;
+  waiting_.emplace(transmitted + travel, ping);
+  if (std::distance(waiting_.begin(), waiting_.upper_bound(now())) > std::ptrdiff_t{kMostWaiting}) {
+    waiting_.erase(waiting_.begin());
     ++dropped_;
   }
-  waiting_.push_back(ping);
   changed_.notify_all();
+}
+
+// Makes all pings due, in their order.
+void Bridge::release_all() {
+  for (const auto& [due, ping] : std::exchange(waiting_, {})) {
+    waiting_.emplace(-std::numeric_limits<double>::infinity(), ping);
+  }
 }
 
 void Bridge::on_world(const std::shared_ptr<const LiveWorld>& world) {
   const std::lock_guard lock(mutex_);
+  release_all();  // Pings of the world before are sent first.
   opened_ = world;
+  changed_.notify_all();
+}
+
+void Bridge::on_clock(double time) {
+  const std::lock_guard lock(mutex_);
+  if (time < clock_) {
+    release_all();
+  }
+  clock_ = time;
   changed_.notify_all();
 }
 
@@ -105,10 +132,20 @@ void Bridge::complain_once(const std::string& problem) {
   }
 }
 
+void Bridge::wait_for_work(std::unique_lock<std::mutex>& lock) {
+  while (!ending_ && !(opened_ && waiting_.empty()) && (waiting_.empty() || waiting_.begin()->first > now())) {
+    if (waiting_.empty() || options_.live.clocked) {
+      changed_.wait(lock);
+    } else {
+      changed_.wait_for(lock, std::chrono::duration<double>(waiting_.begin()->first - now()));
+    }
+  }
+}
+
 void Bridge::translate() {
   std::unique_lock lock(mutex_);
   while (true) {
-    changed_.wait(lock, [this] { return ending_ || opened_ || !waiting_.empty(); });
+    wait_for_work(lock);
     for (; dropped_ > 0; --dropped_) {
       report_.note_drop();
     }
@@ -121,8 +158,7 @@ void Bridge::translate() {
       world = std::move(opened_);
       opened_.reset();
     } else {
-      ping = std::move(waiting_.front());
-      waiting_.pop_front();
+      ping = std::move(waiting_.extract(waiting_.begin()).mapped());
     }
     if (gains_changed_) {
       gains_changed_ = false;
@@ -178,7 +214,8 @@ void Bridge::send_scenario(std::uint64_t time_ns) {
 }
 
 // A message has the stamp of the pose that its ping was made from. Further pings from the same pose are later by the
-// interval between them. On the scenario's own trajectory, the stamp is the time of transmission.
+// interval between them. On the scenario's own trajectory, the stamp is the time of transmission. A stamp of 0 means
+// "the latest" to readers of transforms: the first one of a clock that begins at 0 is 1 ns.
 void Bridge::send(const LivePing& live) {
   if (!world_ || live.world->change != world_->change) {
     open(*live.world);
@@ -191,7 +228,8 @@ void Bridge::send(const LivePing& live) {
   const bool new_pose = told && std::exchange(received_at_[live.sonar], live.received_at) != live.received_at;
   const double by_clock = options_.live.clocked ? std::max(live.clock, live.stamp)
                                                 : transmitted + (told ? live.stamp - live.received_at : 0);
-  messages.take(live.ping, new_pose ? live.stamp : by_clock);
+  constexpr double kEarliest = 1e-9;
+  messages.take(live.ping, std::max(kEarliest, new_pose ? live.stamp : by_clock));
   send_scenario(messages.time_ns());
   for (std::size_t channel = 0; channel < messages.channels().size(); ++channel) {
     if (messages.channels()[channel].kind != MessageKind::kScenario && transport_.is_read(sonar, channel)) {

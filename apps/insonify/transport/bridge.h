@@ -5,7 +5,6 @@
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -36,8 +35,9 @@ class Transport {
                     const std::vector<std::byte>& message) = 0;
 };
 
-/// Encodes and sends in a thread of its own, beside the LiveLoop's and the caller's. If sending takes longer than the
-/// interval between pings, the oldest pings are dropped and counted when more than kMostWaiting are queued.
+/// Encodes and sends in a thread of its own, beside the LiveLoop's and the caller's. A ping is sent when its last echo
+/// could be back, by the clock of the pings, or at once with BridgeOptions::at_once. If sending takes longer than the
+/// interval between pings, the oldest pings are dropped and counted when more than kMostWaiting are due.
 class Bridge : private LiveListener {
  public:
   static constexpr std::size_t kMostWaiting = 4;
@@ -65,6 +65,10 @@ class Bridge : private LiveListener {
   void on_ping(const std::shared_ptr<const LivePing>& ping) override;
   void on_world(const std::shared_ptr<const LiveWorld>& world) override;
   void on_note(const std::string& text) override;
+  void on_clock(double time) override;
+  [[nodiscard]] double now() const;
+  void release_all();
+  void wait_for_work(std::unique_lock<std::mutex>& lock);
   void translate();
   void open(const LiveWorld& world);
   void send_scenario(std::uint64_t time_ns);
@@ -80,9 +84,10 @@ class Bridge : private LiveListener {
 
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::deque<std::shared_ptr<const LivePing>> waiting_;
-  std::shared_ptr<const LiveWorld> opened_;  // To be opened, before its first ping arrives.
-  std::map<std::size_t, double> gains_db_;   // By sonar.
+  std::multimap<double, std::shared_ptr<const LivePing>> waiting_;  // By when they are due, see now().
+  double clock_ = 0;                                                // Of LiveLoop::advance() [s].
+  std::shared_ptr<const LiveWorld> opened_;                         // To be opened, before its first ping arrives.
+  std::map<std::size_t, double> gains_db_;                          // By sonar.
   bool gains_changed_ = false;
   std::uint64_t dropped_ = 0;
   bool ending_ = false;

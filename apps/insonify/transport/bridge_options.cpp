@@ -68,7 +68,7 @@ constexpr BridgeKind kKinds[] = {
      .footer = "Topics, below the node's name (/insonify), of several sonars below the sonar's name there:\n"
                "  image       marine_acoustic_msgs/ProjectedSonarImage\n"
                "  fan, raw    sensor_msgs/Image\n"
-               "  points      sensor_msgs/PointCloud2\n"
+               "  points, true_points  sensor_msgs/PointCloud2\n"
                "  pose        geometry_msgs/PoseStamped\n"
                "  scenario    std_msgs/String, latched\n"
                "and /tf. Range and gain by dynamic_reconfigure, other settings by the topic set. Each option is a\n"
@@ -86,7 +86,7 @@ constexpr BridgeKind kKinds[] = {
      .footer = "Topics of a sonar named fls:\n"
                "  /fls/sonar_image  marine_acoustic_msgs/msg/ProjectedSonarImage\n"
                "  /fls/fan, raw     sensor_msgs/msg/Image\n"
-               "  /fls/points       sensor_msgs/msg/PointCloud2\n"
+               "  /fls/points, true_points  sensor_msgs/msg/PointCloud2\n"
                "  /fls/pose         geometry_msgs/msg/PoseStamped\n"
                "and /tf and /scenario. As nodes of ROS 2 do, it reads ROS_DOMAIN_ID, ROS_LOCALHOST_ONLY,\n"
                "ROS_AUTOMATIC_DISCOVERY_RANGE, ROS_STATIC_PEERS and CYCLONEDDS_URI.\n\n"
@@ -101,7 +101,7 @@ constexpr BridgeKind kKinds[] = {
      .packages = "libignition-transport-dev libignition-msgs-dev",
      .footer = "SCENARIO may be the SDF world itself, with sonars in it. Topics, below the sonar's name:\n"
                "  sonar_image, fan   gz.msgs.Image\n"
-               "  points             gz.msgs.PointCloudPacked\n"
+               "  points, true_points  gz.msgs.PointCloudPacked\n"
                "  pose               gz.msgs.Pose\n"
                "each also as ignition.msgs, for Gazebo Fortress.\n\n"
                "Examples:\n"
@@ -130,10 +130,12 @@ void add_bridge_options(const Command& command, const BridgeKind& kind, BridgeRe
                  "Limit of pings per second of each sonar [the sonar's own rate]", number_within(above_to(0, 1000)));
   command.option("--threads", "N", &options.live.threads, "Worker threads; 0: one per processor [0]",
                  whole_number(0, 1024));
+  command.flag("--at-once", &options.at_once,
+               "Send pings as soon as they are computed, not when their last echo could be back");
   command.flag("-q,--quiet", &options.quiet, "Print only warnings and errors");
 
   const Command messages = command.under("Messages");
-  messages.option("--bits", "N", &options.messages.bits, "Bits of the values of sonar images, 8 or 16 [16]",
+  messages.option("--bits", "N", &options.messages.bits, "Bits of the values of sonar images, 8 or 16 [8]",
                   one_of({"8", "16"}));
   const auto set_levels = [&options](const std::string& text) {
     const auto given = parsed_levels(text);

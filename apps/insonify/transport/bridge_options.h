@@ -19,8 +19,9 @@ struct BridgeOptions {
   std::filesystem::path scenario;
   std::vector<std::string> settings = {};  ///< "key=value", in order.
   LiveOptions live = {};
-  MessageOptions messages = {};
-  bool quiet = false;  ///< Print nothing but warnings and errors.
+  MessageOptions messages = {.bits = 8};  ///< Few programs that make points of sonar images take 16 bits.
+  bool at_once = false;  ///< Whether pings are sent as soon as they are computed, before their sound could be back.
+  bool quiet = false;    ///< Print nothing but warnings and errors.
 };
 
 /// Options for a bridge's participation in DDS.

@@ -25,8 +25,8 @@ inline constexpr double kPrompt = 20;  // For the end of a bridge [s].
 class StartedBridge {
  public:
   StartedBridge(int domain, const std::vector<std::string>& options) {
-    std::vector<std::string> words{INSONIFY_BRIDGE_DDS, "dive.yaml", "-q",
-                                   "--local",           "--domain",  std::to_string(domain)};
+    std::vector<std::string> words{INSONIFY_BRIDGE_DDS,    "dive.yaml", "-q", "--local",  "--domain",
+                                   std::to_string(domain), "--bits",    "16", "--at-once"};
     words.insert(words.end(), options.begin(), options.end());
     std::vector<char*> arguments;
     for (std::string& word : words) {

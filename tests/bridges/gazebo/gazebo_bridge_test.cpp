@@ -61,6 +61,7 @@ class GazeboBridgeTest : public testing::TestWithParam<std::string> {
 
   Program bridge(std::vector<std::string> words = {"dive.yaml", "--vehicle", "rov::link"}) {
     words.insert(words.begin(), INSONIFY_BRIDGE_GAZEBO);
+    words.insert(words.end(), {"--bits", "16", "--at-once"});
     return Program(std::move(words), kSaid);
   }
 
@@ -151,9 +152,24 @@ TEST_F(GazeboBridgeTest, WhatMessagesDidNotTellIsFoundByThePoses) {
   player->send("poses 1.1");
   ASSERT_TRUE(says(kSaid, "1 removed"));
   EXPECT_NEAR(next(*player, reader, 1 + 3 * kPeriod).first_echo(), 7.75, kBin);
-  // A static model that is put somewhere else all the same.
+  // A static model that is put somewhere else all the same: it is made to move, and still again after 10 s there.
   player->send("move 10 6.5 0 0 0");
   EXPECT_NEAR(next(*player, reader, 1 + 4 * kPeriod).first_echo(), 5.75, kBin);
+  ASSERT_TRUE(says(kSaid, "1 visuals added, 1 removed"));
+  const std::string before = contents(kSaid);
+  EXPECT_NEAR(next(*player, reader, 11).first_echo(), 5.75, kBin);
+  EXPECT_EQ(contents(kSaid), before);
+  EXPECT_NEAR(next(*player, reader, 11 + 5 * kPeriod).first_echo(), 5.75, kBin);
+  EXPECT_EQ(contents(kSaid).substr(before.size()), "the world tank: 1 visuals added, 1 removed\n");
+}
+
+TEST_F(GazeboBridgeTest, TwoServersOfOneWorldAreTold) {
+  Program bridge = this->bridge();
+  const auto player = tank("gz");
+  player->send("followed");
+  const auto other = tank("gz");
+  ASSERT_TRUE(says(kSaid, "2 servers have a world tank in the partition insonify-"));
+  EXPECT_THAT(contents(kSaid), HasSubstr(": their poses are mixed; give each its own GZ_PARTITION\n"));
 }
 
 TEST_F(GazeboBridgeTest, WaitsForGazeboAndSurvivesItsRestart) {
@@ -211,6 +227,7 @@ TEST_F(GazeboBridgeTest, MessagesAgreeWithTheRecordingOfTheSameWorld) {
     EXPECT_GT(std::ranges::count_if(image.values, [](auto value) { return value > 0 && value < 65535; }),
               20);  // Echoes.
   }
+  EXPECT_THAT(contents(kSaid), Not(HasSubstr("is the name of nothing")));  // The carrier, which is left out.
 }
 
 // While a sonar listens to 40 m, for 53 ms, this vehicle moves by 0.4 m and turns by two thirds of a beam's width.

@@ -133,7 +133,7 @@ def write(name, text):
 
 
 def node(*words, scenario="dive.yaml"):
-    return Program(INSONIFY, "bridge", "ros1", scenario, *words)
+    return Program(INSONIFY, "bridge", "ros1", scenario, "--bits", "16", "--at-once", *words)
 
 
 class Master:
