@@ -529,6 +529,7 @@ const failed = await runChecks({
   },
 
   async "the ruler measures by keys alone"() {
+    await until(async () => (await get("shown"))?.sonar === (await get("sonar")).name, "a picture to measure in");
     await page.mouse.move(2, 300);
     await page.evaluate(() => document.activeElement?.blur());
     await page.keyboard.press("k");
@@ -766,6 +767,7 @@ const failed = await runChecks({
 
   async "the ruler measures between two clicks, and markers are told to the server and listed"() {
     await press("tool-ruler");
+    await until(() => get("shown"), "a picture to measure in");
     for (const range of [10, 15]) await page.mouse.click(...(await placeOf(range, 0.2)));
     const { from, to } = await until(async () => (await get("ruler"))?.to && get("ruler"), "two points");
     assert.ok(Math.abs(Math.hypot(...from.map((each, i) => each - to[i])) - 5) < 0.6, `${from} to ${to}`);
