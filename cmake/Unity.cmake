@@ -26,8 +26,8 @@ function(insonify_unity target)
         continue()
       endif()
     endif()
-    math(EXPR count_${group} "${count_${group}} + 1")
-    math(EXPR part "${count_${group}} / 10")  # A larger folder in parts, so that every processor has some.
+    math(EXPR part "0${count_${group}} / 20")  # A larger folder in parts, so that every processor has some.
+    math(EXPR count_${group} "0${count_${group}} + 1")
     set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group}_${part})
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)

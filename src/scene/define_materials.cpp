@@ -30,10 +30,10 @@ const Material* named_base(const std::string& key, const MaterialOverride& chang
 // A surface cannot send back more than falls on it: pi mu + |R|^2 is at most 1. Measured values may exceed it by a
 // tenth, and are limited.
 void limit_reflection(const std::string& key, Material& material, const Log& log) {
-  constexpr double kMeasured = 1.1, kRounding = 1e-9;
+  constexpr double kMeasured = 1.1, kSmall = 1e-9;
   const double returned =
       std::numbers::pi * std::pow(10.0, material.lambert_db / 10) + std::pow(material.reflection.value_or(0), 2);
-  if (!material.reflection || returned <= 1 + kRounding) {
+  if (!material.reflection || returned <= 1 + kSmall) {
     return;
   }
   const double most = std::sqrt(reflectance_left(material.lambert_db));

@@ -23,9 +23,9 @@ void extend_by(const Mesh& mesh, const Pose& pose, Eigen::AlignedBox3d& box) {
 
 // Whether a box encloses another, turned by a pose, by more than rounding.
 bool encloses(const Eigen::AlignedBox3d& box, const Eigen::AlignedBox3d& other, const Pose& pose) {
-  constexpr double kRounding = 1e-6;  // [m]: of coordinates up to 1e7 m.
+  constexpr double kCloseness = 1e-6;  // [m]: of coordinates up to 1e7 m.
   const Vec3 middle = pose * Vec3(other.center());
-  const Vec3 half = pose.orientation.toRotationMatrix().cwiseAbs() * (0.5 * other.sizes()) + Vec3::Constant(kRounding);
+  const Vec3 half = pose.orientation.toRotationMatrix().cwiseAbs() * (0.5 * other.sizes()) + Vec3::Constant(kCloseness);
   return box.contains(Vec3(middle - half)) && box.contains(Vec3(middle + half));
 }
 

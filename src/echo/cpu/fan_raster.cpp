@@ -25,7 +25,7 @@ struct RowScale {
 
 // The slope tan(e - m) of an elevation e from its tangent. Where e is 90 deg or more from m, which is outside every
 // aperture, the slope is beyond all others on that side.
-[[gnu::always_inline]] inline float slope_of(float tan_elevation, RowScale scale) {
+[[gnu::always_inline]] inline float row_slope(float tan_elevation, RowScale scale) {
   constexpr float kBeyond = 1e20F, kLeast = 1e-6F;
   const float along = scale.cos_middle + tan_elevation * scale.sin_middle;
   const float across = tan_elevation * scale.cos_middle - scale.sin_middle;
@@ -52,7 +52,7 @@ template <bool tilted>
     float low = 0, high = scale.last_row;
     for (int k = 0; k < 3; ++k) {
       const float edge = facets.edge_x[k][lane] * x + facets.edge_y[k][lane] * y + facets.edge_0[k][lane];
-      const float at = ((tilted ? slope_of(edge, scale) : edge) - first) * scale.rows_per_slope;
+      const float at = ((tilted ? row_slope(edge, scale) : edge) - first) * scale.rows_per_slope;
       const bool upper = facets.upper[k][lane] > 0;
       low = !upper & (at > low) ? at : low;
       high = upper & (at < high) ? at : high;

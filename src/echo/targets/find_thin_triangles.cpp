@@ -18,10 +18,10 @@ constexpr float kThinnest = 1e-4F;  // Rays start this far from a surface [m].
 constexpr int kAcross =
     8;  // Directions across the normal in which the extent is measured; the least is at most 2 % too large.
 constexpr int kOthers = 3;  // Most surfaces of other instances that a ray passes.
-constexpr double kWidest =
+constexpr double kMostAltitude =
     1.5;                        // Triangles of greater altitude than this, in Wall::reach, are not sides of thin parts.
 constexpr double kRound = 1;    // Least change of the normal of a round surface over the body's depth [rad].
-constexpr float kFlat = 1e-3F;  // Differences of unit normals below this are rounding.
+constexpr float kEven = 1e-3F;  // Differences of unit normals below this are rounding.
 constexpr float kShortest = 3,
                 kLongest = 24;           // Length of pieces [thicknesses]: doubled until they are at most kMostPieces.
 constexpr std::size_t kTogether = 4096;  // Triangles measured together.
@@ -115,14 +115,14 @@ std::vector<Wall> walls_of(const Instance& instance, const std::vector<ThinTrian
       const Vec3f change = mesh.normals[mesh.triangles[t][next]] - mesh.normals[mesh.triangles[t][k]];
       const float turn = change.norm();
       longest = std::max(longest, edge);
-      if (turn > kFlat && double{turn} > curvature * edge) {
+      if (turn > kEven && double{turn} > curvature * edge) {
         curvature = double{turn} / edge;
         around = change.cast<double>();
       }
     }
     const Wall wall{t, (corners[0] + corners[1] + corners[2]) / 3, normal / length, curvature,
                     instance.world_from_mesh.orientation * around};
-    if (length > 0 && length < kWidest * wall.reach() * longest) {
+    if (length > 0 && length < kMostAltitude * wall.reach() * longest) {
       walls.push_back(wall);
     }
   }

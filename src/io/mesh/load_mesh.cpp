@@ -65,7 +65,7 @@ void warn_of_rounding(const Mesh& mesh, const std::string& name, const Log& log)
   }
 }
 
-std::string counted(std::size_t count, std::string_view one, std::string_view many) {
+std::string count_text(std::size_t count, std::string_view one, std::string_view many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
@@ -75,11 +75,11 @@ void log_report(const MeshReport& report, std::size_t lines_and_points, const st
     notes.push_back(report.text());
   }
   if (lines_and_points > 0) {
-    notes.push_back(counted(lines_and_points, "line or point", "lines or points") + " dropped");
+    notes.push_back(count_text(lines_and_points, "line or point", "lines or points") + " dropped");
   }
   const bool is_loss = !notes.empty();
   if (report.normals_flipped > 0) {
-    notes.push_back(counted(report.normals_flipped, "normal", "normals") + " turned to the side of their winding");
+    notes.push_back(count_text(report.normals_flipped, "normal", "normals") + " turned to the side of their winding");
   }
   if (!notes.empty()) {
     log_line(log, is_loss ? Severity::kWarning : Severity::kInfo, fmt::format("{}: {}", name, fmt::join(notes, "; ")));
@@ -90,7 +90,7 @@ void check_not_empty(const FlattenedScene& scene, const std::filesystem::path& p
   if (scene.mesh.triangles.empty()) {
     throw Error(fmt::format("{}: no triangles{}", path.string(),
                             scene.lines_and_points > 0
-                                ? ", only " + counted(scene.lines_and_points, "line or point", "lines or points")
+                                ? ", only " + count_text(scene.lines_and_points, "line or point", "lines or points")
                                 : ""));
   }
 }
