@@ -63,8 +63,8 @@ class WorldParts {
  public:
   /// @param base     A file, existing or not, whose folder is searched for URIs first, then its parents and those named
   ///                 by environment variables (docs/reference/sdf.md).
-  /// @param options  `ignore` skips parts; with `strict` a part that cannot be made is an error. `collisions` has no
-  ///                 effect.
+  /// @param options  `ignore` skips parts; with `strict` a part that cannot be made is an error. `collisions` and
+  ///                 `parts` have no effect.
   /// @param log      Receives one warning per call for all parts that cannot be made and are skipped.
   explicit WorldParts(std::filesystem::path base, WorldOptions options = {}, Log log = {});
   ~WorldParts();

@@ -86,6 +86,12 @@ void log_report(const MeshReport& report, std::size_t lines_and_points, const st
   }
 }
 
+void log_notes(const FlattenedScene& scene, const std::string& name, const Log& log) {
+  for (const std::string& note : scene.notes) {
+    log_line(log, Severity::kWarning, fmt::format("{}: {}", name, note));
+  }
+}
+
 void check_not_empty(const FlattenedScene& scene, const std::filesystem::path& path) {
   if (scene.mesh.triangles.empty()) {
     throw Error(fmt::format("{}: no triangles{}", path.string(),
@@ -109,9 +115,7 @@ Mesh load_and_clean(const std::filesystem::path& path, const Submesh& submesh, c
   const std::string name = path.string();
   log_report(report, scene.lines_and_points, name, log);
   warn_of_rounding(mesh, name, log);
-  for (const std::string& note : scene.notes) {
-    log_line(log, Severity::kWarning, fmt::format("{}: {}", name, note));
-  }
+  log_notes(scene, name, log);
   return std::move(mesh);
 }
 
@@ -238,6 +242,7 @@ std::vector<Mesh> load_mesh_parts(const std::filesystem::path& path, const Log& 
       log_line(log, Severity::kWarning, fmt::format("{}: {}", path.string(), error.what()));
     }
   }
+  log_notes(scene, path.string(), log);
   if (parts.empty()) {
     throw Error(path.string() + ": no part has a triangle");
   }

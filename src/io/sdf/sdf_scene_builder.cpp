@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "base/log_line.h"
 #include "insonify/error.h"
 #include "insonify/printable.h"
@@ -63,15 +65,20 @@ bool SdfSceneBuilder::add_or_skip(const Add& add) {
   return false;
 }
 
-std::optional<PlacedMesh> SdfSceneBuilder::make(const SdfPart& part, const std::string& where) {
+// The meshes of a visual: several if each part of its file is an instance, none for a shape that insonify lacks.
+std::vector<PlacedMesh> SdfSceneBuilder::make(const SdfPart& part, const std::string& where) {
+  const bool is_submesh = part.shape && !part.shape->submesh.empty();  // A part already.
+  if (part.shape && part.shape->kind == ShapeKind::kMesh && options_.parts && !is_submesh) {
+    return shapes_.make_parts(*part.shape, part.file, where);
+  }
   if (part.shape) {
-    return shapes_.make(*part.shape, part.file, where);
+    return {shapes_.make(*part.shape, part.file, where)};
   }
   const std::string& name = part.unknown_shape;
   log_line(log_, Severity::kWarning,
            where + " is skipped: " +
                (name.empty() ? "it has no shape" : fmt::format("insonify has no shape <{}>", printable(name))));
-  return std::nullopt;
+  return {};
 }
 
 void SdfSceneBuilder::add_part(const SdfPart& part, const char* kind, const std::string& scope,
@@ -81,20 +88,30 @@ void SdfSceneBuilder::add_part(const SdfPart& part, const char* kind, const std:
     return;
   }
   const std::string where = what(kind, name, part);
-  const std::optional<PlacedMesh> shape = make(part, where);
-  if (!shape) {
+  const std::vector<PlacedMesh> shapes = make(part, where);
+  if (shapes.empty()) {
     return;
   }
   if (!names_.insert(name).second) {
     throw Error(where + " has the name of another one");
   }
-  Instance instance;
-  instance.name = name;
-  instance.mesh = shape->mesh;
-  instance.world_from_mesh = world_from_link * resolve(part, where) * Pose{shape->offset};
-  check_reach(instance, where);
   const MaterialName own = own_or(material, part, where);
-  if (own.name.empty() && !options_.keep_water) {
+  for (const PlacedMesh& shape : shapes) {
+    Instance instance;
+    instance.name = shape.part.empty() ? name : name + "::" + shape.part;
+    instance.mesh = shape.mesh;
+    instance.world_from_mesh = world_from_link * resolve(part, where) * Pose{shape.offset};
+    check_reach(instance, where);
+    if (shape.part.empty() || !ignored_.match(instance.name)) {
+      add_instance(std::move(instance), part, own);
+    }
+  }
+}
+
+// Unless it is water.
+void SdfSceneBuilder::add_instance(Instance instance, const SdfPart& part, const MaterialName& material) {
+  const std::string& name = instance.name;
+  if (material.name.empty() && !options_.keep_water) {
     constexpr double kClear = 0.5;
     if (is_water_name(name) || part.is_painted_as_water || (part.opacity < kClear && is_level_sheet(instance))) {
       water_.push_back(printable(name, kLongestName));
@@ -104,8 +121,8 @@ void SdfSceneBuilder::add_part(const SdfPart& part, const char* kind, const std:
       for_eyes_.push_back(printable(name, kLongestName));
     }
   }
-  instance.user_material = own.name;
-  scene_.places[name] = own.place;
+  instance.user_material = material.name;
+  scene_.places[name] = material.place;
   scene_.instances.push_back(std::move(instance));
 }
 
@@ -168,6 +185,19 @@ void SdfSceneBuilder::add_top_model(const SdfModel& model, const std::string& na
   }
 }
 
+void SdfSceneBuilder::expect_shapes(const SdfModel& model) {
+  for (const SdfLink& link : model.links) {
+    for (const auto* parts : {&link.visuals, &link.collisions}) {
+      for (const SdfPart& part : *parts) {
+        if (part.shape && (parts == &link.collisions) == (options_.collisions || link.visuals.empty())) {
+          shapes_.expect(*part.shape);
+        }
+      }
+    }
+  }
+  std::ranges::for_each(model.models, [&](const SdfModel& inner) { expect_shapes(inner); });
+}
+
 void SdfSceneBuilder::add_world(const SdfWorld& world) {
   for (const SdfModel& model : world.models) {
     add_or_skip([&] {
@@ -219,6 +249,7 @@ Scene SdfSceneBuilder::finish(const std::string& file) {
     throw Error(missing_.empty() ? nothing_in(file)
                                  : fmt::format("{}: nothing is left to insonify: {}", file, missing_.whole_text()));
   }
+  shapes_.report_coarse(file);
   warn(file, "of models without visuals the collision shapes are insonified (ignore removes them)", without_visuals_);
   warn(file, "of links whose visuals cannot be read the collision shapes are insonified (ignore removes it)",
        unreadable_visuals_);

@@ -24,6 +24,9 @@ class SdfSceneBuilder {
   SdfSceneBuilder(const WorldOptions& options, MissingParts& missing, const Log& log)
       : options_(options), missing_(missing), log_(log), ignored_(options.ignore), shapes_(log) {}
 
+  /// Counts the shapes of a model that add_world() or add_model() will add, before the first of them does.
+  void expect_shapes(const SdfModel& model);
+
   /// Adds all models of a world, at the poses of its <state> if there is one.
   /// @throws Error "path:line:column: ..." for faults.
   void add_world(const SdfWorld& world);
@@ -52,7 +55,8 @@ class SdfSceneBuilder {
                 const MaterialName& material);
   [[nodiscard]] static MaterialName own_or(const MaterialName& inherited, const SdfElement& element,
                                            const std::string& where);
-  std::optional<PlacedMesh> make(const SdfPart& part, const std::string& where);
+  std::vector<PlacedMesh> make(const SdfPart& part, const std::string& where);
+  void add_instance(Instance instance, const SdfPart& part, const MaterialName& material);
   void warn(const std::string& file, const std::string& text, const std::vector<std::string>& names) const;
   [[nodiscard]] std::string nothing_in(const std::string& file) const;
 

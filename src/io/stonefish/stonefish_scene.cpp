@@ -23,7 +23,7 @@ namespace {
 class StonefishSceneBuilder {
  public:
   StonefishSceneBuilder(const WorldOptions& options, MissingParts& missing, const Log& log)
-      : options_(options), missing_(missing), log_(log), ignored_(options.ignore), shapes_(log) {}
+      : options_(options), missing_(missing), log_(log), ignored_(options.ignore), shapes_(options.parts, log) {}
 
   void add(const StonefishBody& body) {
     if (is_ignored(body.name)) {
@@ -77,16 +77,18 @@ class StonefishSceneBuilder {
                  const char* transform = nullptr) {
     try {
       const Pose own = transform == nullptr ? Pose{} : stonefish_pose(element, transform);
-      const std::optional<StonefishShape> shape = shapes_.shape(element, options_.collisions);
-      if (!shape) {
-        return;
+      const std::vector<StonefishShape> shapes = shapes_.shapes(element, options_.collisions);
+      const std::string own_name = shapes.empty() ? name : unique(name);
+      for (const StonefishShape& shape : shapes) {
+        Instance instance;
+        instance.name = shape.part.empty() ? own_name : own_name + "::" + shape.part;
+        instance.mesh = shape.mesh;
+        instance.world_from_mesh = up_from_down() * world_from_body * own * shape.body_from_mesh;
+        check_reach(instance, element.what());
+        if (shape.part.empty() || !ignored_.match(instance.name)) {
+          scene_.instances.push_back(std::move(instance));
+        }
       }
-      Instance instance;
-      instance.name = unique(name);
-      instance.mesh = shape->mesh;
-      instance.world_from_mesh = up_from_down() * world_from_body * own * shape->body_from_mesh;
-      check_reach(instance, element.what());
-      scene_.instances.push_back(std::move(instance));
     } catch (const UnreadablePart& unreadable) {
       missing_.add(unreadable);
     }

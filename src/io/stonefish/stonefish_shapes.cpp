@@ -96,21 +96,27 @@ Mesh terrain_mesh(const std::string& path, double scale_x, double scale_y, doubl
 
 }  // namespace
 
-std::shared_ptr<const Mesh> StonefishShapes::shared(const std::string& key, const StonefishElement& body,
-                                                    const std::function<Mesh()>& make) {
+const StonefishShapes::Meshes& StonefishShapes::all_shared(const std::string& key, const StonefishElement& body,
+                                                           const std::function<std::vector<Mesh>()>& make) {
   const std::string material = material_name(body);
-  std::shared_ptr<const Mesh>& mesh = meshes_[key + " of " + material];
-  if (mesh == nullptr) {
-    Mesh made = make();
-    made.material_slots.clear();  // Stonefish does not read the materials of mesh files.
-    made.material_names = {material};
-    made.reliefs.clear();
-    mesh = std::make_shared<const Mesh>(std::move(made));
+  Meshes& meshes = meshes_[key + " of " + material];
+  if (meshes.empty()) {
+    for (Mesh& made : make()) {
+      made.material_slots.clear();  // Stonefish does not read the materials of mesh files.
+      made.material_names = {material};
+      made.reliefs.clear();
+      meshes.push_back(std::make_shared<const Mesh>(std::move(made)));
+    }
   }
-  return mesh;
+  return meshes;
 }
 
-StonefishShape StonefishShapes::model(const StonefishElement& body, bool physical) {
+std::shared_ptr<const Mesh> StonefishShapes::shared(const std::string& key, const StonefishElement& body,
+                                                    const std::function<Mesh()>& make) {
+  return all_shared(key, body, [&] { return std::vector<Mesh>{make()}; }).front();
+}
+
+std::vector<StonefishShape> StonefishShapes::model(const StonefishElement& body, bool physical) {
   const StonefishElement visual = body.child("visual"), solid = body.child("physical");
   const StonefishElement given = visual && !(physical && solid) ? visual : solid;
   if (!given) {
@@ -122,26 +128,33 @@ StonefishShape StonefishShapes::model(const StonefishElement& body, bool physica
     throw Error(fmt::format("{}: <mesh> scale = {} must be greater than 0", body.what(), scale));
   }
   const auto make = [&] {
-    Mesh mesh = read_for(body, [&] { return load_mesh_file(path, {}, log_); });
-    for (Vec3f& vertex : mesh.vertices) {
-      vertex *= static_cast<float>(scale);
+    std::vector<Mesh> meshes = read_for(
+        body, [&] { return parts_ ? load_mesh_parts(path, log_) : std::vector<Mesh>{load_mesh_file(path, {}, log_)}; });
+    for (Mesh& mesh : meshes) {
+      for (Vec3f& vertex : mesh.vertices) {
+        vertex *= static_cast<float>(scale);
+      }
     }
-    return mesh;
+    return meshes;
   };
-  return {shared(fmt::format("model {} {}", scale, path), body, make), stonefish_pose(given, "origin")};
+  std::vector<StonefishShape> shapes;
+  for (const auto& mesh : all_shared(fmt::format("model {} {}", scale, path), body, make)) {
+    shapes.push_back({mesh, stonefish_pose(given, "origin"), parts_ ? mesh->name : ""});
+  }
+  return shapes;
 }
 
 // Where the mesh of <visual> cannot be read, that of <physical>.
-StonefishShape StonefishShapes::any_model(const StonefishElement& body, bool physical) {
+std::vector<StonefishShape> StonefishShapes::any_model(const StonefishElement& body, bool physical) {
   try {
     return model(body, physical);
   } catch (const UnreadablePart& unreadable) {
     if (physical || !body.child("visual") || !body.child("physical")) {
       throw;
     }
-    StonefishShape shape = model(body, true);
+    std::vector<StonefishShape> shapes = model(body, true);
     log_line(log_, Severity::kWarning, fmt::format("{}: the mesh of <physical> is taken", unreadable.what()));
-    return shape;
+    return shapes;
   }
 }
 
@@ -155,13 +168,11 @@ StonefishShape StonefishShapes::terrain(const StonefishElement& body) {
   return {shared(fmt::format("terrain {} {} {} {}", x, y, height, path), body, make), up_from_down()};
 }
 
-std::optional<StonefishShape> StonefishShapes::shape(const StonefishElement& body, bool physical) {
+// Nothing for a type without a shape.
+std::optional<StonefishShape> StonefishShapes::solid(const StonefishElement& body) {
   const std::string type = stonefish_text(body, "", "type");
   if (type == "empty") {
     return std::nullopt;
-  }
-  if (type == "model") {
-    return any_model(body, physical);
   }
   if (type == "terrain") {
     return terrain(body);
@@ -198,6 +209,14 @@ std::optional<StonefishShape> StonefishShapes::shape(const StonefishElement& bod
   log_line(log_, Severity::kWarning,
            fmt::format("{} is skipped: insonify has no shape of type '{}'", body.what(), printable(type)));
   return std::nullopt;
+}
+
+std::vector<StonefishShape> StonefishShapes::shapes(const StonefishElement& body, bool physical) {
+  if (stonefish_text(body, "", "type") == "model") {
+    return any_model(body, physical);
+  }
+  const std::optional<StonefishShape> shape = solid(body);
+  return shape ? std::vector{*shape} : std::vector<StonefishShape>();
 }
 
 }  // namespace insonify

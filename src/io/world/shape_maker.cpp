@@ -9,6 +9,8 @@
 #include <cmath>
 #include <optional>
 
+#include "base/log_line.h"
+#include "insonify/error.h"
 #include "insonify/files.h"
 #include "insonify/mesh.h"
 #include "insonify/printable.h"
@@ -121,6 +123,15 @@ Vec3 positive(const Vec3& value, const std::string& what, const char* element) {
   return value;
 }
 
+// Throws if the triangles of an ellipsoid of such radii would fill the memory: their number grows with the ratio.
+Vec3 not_too_flat(const Vec3& radii, const std::string& what) {
+  if (radii.maxCoeff() > RoundShapes::kMostRatio * radii.minCoeff()) {
+    throw Error(fmt::format("{}: <radii> = {} {} {} m: the largest must be at most {} times the smallest", what,
+                            radii.x(), radii.y(), radii.z(), RoundShapes::kMostRatio));
+  }
+  return radii;
+}
+
 // Scales a mesh; negative factors mirror it, and an odd number of them reverses the winding.
 void scale_mesh(Mesh& mesh, const Vec3& scale) {
   const Vec3f factor = scale.cast<float>();
@@ -162,12 +173,19 @@ std::string file_of(const std::string& uri, const fs::path& base, const std::str
 
 }  // namespace
 
-PlacedMesh ShapeMaker::shared(const std::string& key, const std::function<Mesh()>& make) {
-  std::shared_ptr<const Mesh>& mesh = meshes_[key];
-  if (mesh == nullptr) {
-    mesh = std::make_shared<const Mesh>(make());
+const ShapeMaker::Meshes& ShapeMaker::all_shared(const std::string& key,
+                                                 const std::function<std::vector<Mesh>()>& make) {
+  Meshes& meshes = meshes_[key];
+  if (meshes.empty()) {
+    for (Mesh& mesh : make()) {
+      meshes.push_back(std::make_shared<const Mesh>(std::move(mesh)));
+    }
   }
-  return {mesh};
+  return meshes;
+}
+
+PlacedMesh ShapeMaker::shared(const std::string& key, const std::function<Mesh()>& make) {
+  return {all_shared(key, [&] { return std::vector<Mesh>{make()}; }).front()};
 }
 
 PlacedMesh ShapeMaker::plane(const Shape& shape, const std::string& what) {
@@ -181,25 +199,35 @@ PlacedMesh ShapeMaker::plane(const Shape& shape, const std::string& what) {
   return shared(key, [&] { return make_plane(normal, x, y); });
 }
 
-PlacedMesh ShapeMaker::mesh(const Shape& shape, const fs::path& base, const std::string& what) {
+std::vector<PlacedMesh> ShapeMaker::mesh(const Shape& shape, const fs::path& base, const std::string& what,
+                                         bool parts) {
   const std::string path = file_of(shape.uri, base, what);
   const Vec3& scale = shape.scale;
   if (!scale.allFinite() || (scale.array() == 0).any()) {
     throw Error(
         fmt::format("{}: <scale> = {} {} {} must not be 0 in any direction", what, scale.x(), scale.y(), scale.z()));
   }
-  const std::string key = fmt::format("mesh '{}' '{}' {}", path, shape.submesh, shape.center_submesh);
-  const PlacedMesh plain = shared(key, [&] {
-    return read_for(what, [&] { return load_mesh_file(path, {shape.submesh, shape.center_submesh}, log_); });
-  });
-  if (scale == Vec3::Ones()) {
-    return plain;
+  const auto read = [&] {
+    return parts ? load_mesh_parts(path, log_)
+                 : std::vector<Mesh>{load_mesh_file(path, {shape.submesh, shape.center_submesh}, log_)};
+  };
+  std::string key = fmt::format("{} '{}' '{}' {}", parts ? "parts" : "mesh", path, shape.submesh, shape.center_submesh);
+  const Meshes* meshes = &all_shared(key, [&] { return read_for(what, read); });
+  if (scale != Vec3::Ones()) {
+    key += fmt::format(" {} {} {}", scale.x(), scale.y(), scale.z());
+    meshes = &all_shared(key, [&, plain = meshes] {
+      std::vector<Mesh> scaled;
+      for (const auto& mesh : *plain) {
+        scale_mesh(scaled.emplace_back(*mesh), scale);
+      }
+      return scaled;
+    });
   }
-  return shared(fmt::format("{} {} {} {}", key, scale.x(), scale.y(), scale.z()), [&] {
-    Mesh scaled = *plain.mesh;
-    scale_mesh(scaled, scale);
-    return scaled;
-  });
+  std::vector<PlacedMesh> placed;
+  for (const auto& mesh : *meshes) {
+    placed.push_back({.mesh = mesh, .part = parts ? mesh->name : ""});
+  }
+  return placed;
 }
 
 // Without a size a picture has SDF's default, 1 x 1 x 1 m, a survey its own.
@@ -224,44 +252,56 @@ PlacedMesh ShapeMaker::heightmap(const Shape& shape, const fs::path& base, const
   return {shared(key, [&] { return read_for(what, make); }).mesh, shape.position};
 }
 
-PlacedMesh ShapeMaker::make(const Shape& shape, const fs::path& base, const std::string& what) {
-  const auto radius = [&] { return positive(shape.radius, what, "radius"); };
+PlacedMesh ShapeMaker::round(const Shape& shape, const std::string& what) {
+  const double angle = round_.edge_angle(shape);
+  const double r = shape.kind == ShapeKind::kEllipsoid ? 0 : positive(shape.radius, what, "radius");
   const auto length = [&] { return positive(shape.length, what, "length"); };
-  const auto size = [&](const char* element) { return positive(shape.size.value_or(Vec3::Zero()), what, element); };
+  switch (shape.kind) {
+    case ShapeKind::kSphere:
+      return shared(fmt::format("sphere {}", r), [&] { return make_sphere(r, angle); });
+    case ShapeKind::kEllipsoid: {
+      const Vec3 radii = not_too_flat(positive(shape.size.value_or(Vec3::Zero()), what, "radii"), what);
+      const std::string key = fmt::format("ellipsoid {} {} {}", radii.x(), radii.y(), radii.z());
+      return shared(key, [&] { return make_ellipsoid(radii, angle); });
+    }
+    case ShapeKind::kCylinder:
+      return shared(fmt::format("cylinder {} {}", r, length()), [&] { return make_cylinder(r, shape.length, angle); });
+    case ShapeKind::kCapsule:
+      return shared(fmt::format("capsule {} {}", r, length()), [&] { return make_capsule(r, shape.length, angle); });
+    default:
+      return shared(fmt::format("cone {} {}", r, length()), [&] { return make_cone(r, shape.length, angle); });
+  }
+}
+
+void ShapeMaker::report_coarse(const std::string& name) {
+  constexpr double kQuarterWavelength = 5e-4;  // Of 750 kHz [m].
+  if (const double deviation = round_.deviation(); deviation > 0) {
+    log_line(log_, deviation > kQuarterWavelength ? Severity::kWarning : Severity::kInfo,
+             fmt::format("{}: {} sizes of spheres, cylinders and the like would take too much memory: their facets are "
+                         "coarser, up to {:.2g} mm off their surfaces",
+                         name, round_.size(), 1e3 * deviation));
+  }
+}
+
+PlacedMesh ShapeMaker::make(const Shape& shape, const fs::path& base, const std::string& what) {
   switch (shape.kind) {
     case ShapeKind::kBox: {
-      const Vec3 sides = size("size");
+      const Vec3 sides = positive(shape.size.value_or(Vec3::Zero()), what, "size");
       return shared(fmt::format("box {} {} {}", sides.x(), sides.y(), sides.z()), [&] { return make_box(sides); });
-    }
-    case ShapeKind::kSphere: {
-      const double r = radius();
-      return shared(fmt::format("sphere {}", r), [&] { return make_sphere(r); });
-    }
-    case ShapeKind::kEllipsoid: {
-      const Vec3 radii = size("radii");
-      const std::string key = fmt::format("ellipsoid {} {} {}", radii.x(), radii.y(), radii.z());
-      return shared(key, [&] { return make_ellipsoid(radii); });
-    }
-    case ShapeKind::kCylinder: {
-      const double r = radius(), l = length();
-      return shared(fmt::format("cylinder {} {}", r, l), [&] { return make_cylinder(r, l); });
-    }
-    case ShapeKind::kCapsule: {
-      const double r = radius(), l = length();
-      return shared(fmt::format("capsule {} {}", r, l), [&] { return make_capsule(r, l); });
-    }
-    case ShapeKind::kCone: {
-      const double r = radius(), l = length();
-      return shared(fmt::format("cone {} {}", r, l), [&] { return make_cone(r, l); });
     }
     case ShapeKind::kPlane:
       return plane(shape, what);
     case ShapeKind::kMesh:
-      return mesh(shape, base, what);
+      return mesh(shape, base, what, false).front();
     case ShapeKind::kHeightmap:
-      break;
+      return heightmap(shape, base, what);
+    default:
+      return round(shape, what);
   }
-  return heightmap(shape, base, what);
+}
+
+std::vector<PlacedMesh> ShapeMaker::make_parts(const Shape& shape, const fs::path& base, const std::string& what) {
+  return mesh(shape, base, what, true);
 }
 
 }  // namespace insonify

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <set>
 #include <utility>
 #include <vector>
@@ -78,6 +79,9 @@ Scene WorldParts::scene(std::span<const WorldPart> parts, const std::string& nam
   std::set<std::string> names;
   std::vector<std::string> water, for_eyes;
   for (const WorldPart& part : parts) {
+    state.maker.expect(part.shape);
+  }
+  for (const WorldPart& part : parts) {
     if (state.is_ignored(part.name)) {
       continue;
     }
@@ -97,6 +101,11 @@ Scene WorldParts::scene(std::span<const WorldPart> parts, const std::string& nam
     }
   }
   missing.report(name, state.options.strict, state.log);
+  state.maker.report_coarse(name);
+  if (state.options.parts &&
+      std::ranges::any_of(parts, [](const WorldPart& part) { return part.shape.kind == ShapeKind::kMesh; })) {
+    log_line(state.log, Severity::kWarning, fmt::format("{}: parts has no effect: a visual is one object", name));
+  }
   const auto warn = [&](const char* text, const std::vector<std::string>& names) {
     if (!names.empty()) {
       log_line(state.log, Severity::kWarning, fmt::format("{}: {}: {}", name, text, fmt::join(names, ", ")));
