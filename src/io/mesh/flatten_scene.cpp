@@ -20,6 +20,7 @@
 #include "io/file/budgets.h"
 #include "io/file/input_file.h"
 #include "io/mesh/import_scene.h"
+#include "io/mesh/mesh_checks.h"
 #include "io/mesh/ply_file.h"
 #include "io/mesh/relief_file.h"
 #include "io/mesh/triangulate.h"
@@ -234,9 +235,7 @@ class Flattener {
     const std::size_t next = mesh_.material_names.size();
     const auto [entry, is_new] = slots_.try_emplace(name, static_cast<std::uint16_t>(next));
     if (is_new) {
-      if (next > std::numeric_limits<std::uint16_t>::max()) {
-        throw Error(fmt::format("{}: more than 65536 material names", settings_.path.string()));
-      }
+      check_material_count(next + 1, settings_.path);
       mesh_.material_names.push_back(name);
     }
     return entry->second;

@@ -18,6 +18,9 @@ namespace insonify {
 /// libraries, and with them their meshes, for faults in colours.
 [[nodiscard]] std::string mend_mtl(std::string_view text);
 
+/// @throws Error if there are more names than slots of a mesh can have.
+void check_material_count(std::size_t names, const std::filesystem::path& path);
+
 /// Finds the faulty line of a text that assimp has refused.
 /// @throws Error "PATH:LINE: STATEMENT: REASON". Returns if all normals and indices are correct.
 void check_obj_indices(std::string_view text, const std::filesystem::path& path);
