@@ -96,7 +96,8 @@ TEST_P(SeaSurfaceEchoTest, GhostsOfBodiesLoseByTheirGrazingAngle) {
   struct Place {
     double ahead, aperture_deg;
   };
-  for (const auto& [ahead, aperture] : {Place{30, 30.0}, Place{6, 120.0}}) {
+  for (const Place& place : {Place{30, 30.0}, Place{6, 120.0}}) {
+    const double ahead = place.ahead, aperture = place.aperture_deg;
     for (const double wind : {7.0, 10.0}) {
       const auto levels = [&](double of_wind) {
         Scenario scenario = under_the_sea(0, ahead + 4);
