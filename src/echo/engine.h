@@ -52,6 +52,9 @@ class Engine {
 
   [[nodiscard]] virtual const EngineKind& kind() const = 0;
 
+  /// For batches of the paper's model only: set_scene() finds no plane faces, which that model does not use.
+  void expect_paper() { expects_paper_ = true; }
+
   /// Sets the scene. Positions are stored relative to the middle of its bounds, so that large survey coordinates lose
   /// no precision. The scene must outlive the engine or the next call.
   virtual void set_scene(const Scene& scene) = 0;
@@ -82,6 +85,12 @@ class Engine {
   /// rays and return legs that a ping traces, with packets set up but no shading or deposit.
   /// @return One value per repetition [s]; none if the engine uses no such library.
   [[nodiscard]] virtual std::vector<double> time_traversal(const PingView& view, int repetitions);
+
+ protected:
+  [[nodiscard]] bool expects_paper() const { return expects_paper_; }
+
+ private:
+  bool expects_paper_ = false;
 };
 
 /// Makes an engine by name.

@@ -12,6 +12,9 @@ Simulator::State::State(Scenario the_scenario, Scene the_scene, int threads, std
       scene(std::move(the_scene)),
       workers(threads),
       engine(make_engine(scenario.engine, workers)) {
+  if (scenario.model == EchoModel::kPaper) {
+    engine->expect_paper();
+  }
   try {
     objects.add(scenario.motions, scene);
   } catch (const Error& error) {

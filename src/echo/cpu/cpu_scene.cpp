@@ -108,7 +108,7 @@ bool CpuScene::is_placed(const Instance& instance) const {
 }
 
 // Adds an instance, or keeps the part that it is already.
-void CpuScene::set(const Instance& instance, unsigned id, Workers& workers) {
+void CpuScene::set(const Instance& instance, unsigned id, bool with_faces, Workers& workers) {
   Part& part = parts_[id];
   if (part.mesh != nullptr && !has(part, instance)) {
     remove(id);
@@ -125,13 +125,13 @@ void CpuScene::set(const Instance& instance, unsigned id, Workers& workers) {
   part.offset = (instance.world_from_mesh.position - origin_).cast<float>();
   const bool is_new = part.mesh == nullptr;
   if (is_new) {
-    part.faces = shared_faces(instance.mesh, workers);
+    part.faces = with_faces ? shared_faces(instance.mesh, workers) : nullptr;
     part.mesh = instance.mesh;
     part.world_from_mesh = instance.world_from_mesh;
     part.triangles = instance.mesh->triangles.data();
     part.slots = instance.mesh->material_slots.empty() ? nullptr : instance.mesh->material_slots.data();
   }
-  any_faces_ |= !part.faces->faces.empty();
+  any_faces_ |= part.faces != nullptr && !part.faces->faces.empty();
   if (is_new && is_placed(instance)) {
     add_placed(instance, id);
   } else if (is_new) {
@@ -141,7 +141,7 @@ void CpuScene::set(const Instance& instance, unsigned id, Workers& workers) {
   }
 }
 
-void CpuScene::set(const Scene& scene, Workers& workers) {
+void CpuScene::set(const Scene& scene, bool with_faces, Workers& workers) {
   const Vec3 origin = scene.middle();
   if (!whole_ || origin != origin_ || scene.instances.size() < parts_.size()) {
     clear();
@@ -167,7 +167,7 @@ void CpuScene::set(const Scene& scene, Workers& workers) {
   std::erase_if(mesh_scenes_, [](const auto& entry) { return entry.second.expired(); });
   parts_.resize(scene.instances.size());
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-    set(scene.instances[i], static_cast<unsigned>(i), workers);
+    set(scene.instances[i], static_cast<unsigned>(i), with_faces, workers);
   }
   rtcCommitScene(scene_);
   if (const RTCError error = rtcGetDeviceError(device_); error != RTC_ERROR_NONE) {

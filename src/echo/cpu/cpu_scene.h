@@ -31,7 +31,7 @@ class CpuScene {
 
   /// Builds a scene. Instances with the same index, mesh and pose as in the last scene are not built again if the
   /// middle of the scene, the origin of stored positions, is the same.
-  void set(const Scene& scene, Workers& workers);
+  void set(const Scene& scene, bool with_faces, Workers& workers);
   void move(int instance, const Pose& world_from_mesh);
 
   /// Makes the moves since the last call effective for the rays that follow.
@@ -121,7 +121,7 @@ class CpuScene {
 
   void clear();
   [[nodiscard]] bool has(const Part& part, const Instance& instance) const;
-  void set(const Instance& instance, unsigned id, Workers& workers);
+  void set(const Instance& instance, unsigned id, bool with_faces, Workers& workers);
   void remove(unsigned id);
   [[nodiscard]] bool is_placed(const Instance& instance) const;
   void add_copy(const Instance& instance, unsigned id);

@@ -9,8 +9,8 @@
 
 namespace insonify {
 
-void CpuWorld::set(const Scene& scene, Workers& workers) {
-  scene_.set(scene, workers);
+void CpuWorld::set(const Scene& scene, bool with_faces, Workers& workers) {
+  scene_.set(scene, with_faces, workers);
   source_ = &scene;
   raster_scene_ = {};
   raster_ready_ = false;

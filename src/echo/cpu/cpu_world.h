@@ -18,7 +18,7 @@ namespace insonify {
 
 class CpuWorld {
  public:
-  void set(const Scene& scene, Workers& workers);
+  void set(const Scene& scene, bool with_faces, Workers& workers);
   void place(const Placement& placement);
   void leave_out(std::shared_ptr<const LeftOut> left_out) { left_out_ = std::move(left_out); }
 
