@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <mutex>
 #include <utility>
 
 #include "base/parallel_blocks.h"
@@ -97,19 +98,34 @@ void MeshSides::sort_sides(Workers& workers) {
   });
 }
 
-// Divides the sides that no other triangle has, but for copies of theirs, at the ends of others of these.
-void MeshSides::divide_sides(Workers& workers) {
-  std::vector<std::uint32_t> open, corners;
-  for_each_edge(0, vertex_count(), [&](std::span<const std::uint32_t> sides) {
-    const std::uint32_t corner = numbers_[opposite(sides[0])];
-    if (std::ranges::all_of(sides, [&](std::uint32_t side) { return numbers_[opposite(side)] == corner; })) {
-      const auto [low, high] = ends(sides[0]);
-      open.insert(open.end(), sides.begin(), sides.end());
-      corners.push_back(low);
-      corners.push_back(high);
-    }
+// The sides that no other triangle has, but for copies of theirs.
+std::vector<std::uint32_t> MeshSides::open_sides(Workers& workers) const {
+  std::vector<std::uint32_t> open;
+  std::mutex mutex;
+  for_each_block(workers, vertex_count(), kItemsOfTask, [&](std::size_t first, std::size_t last) {
+    std::vector<std::uint32_t> own;
+    for_each_edge(first, last, [&](std::span<const std::uint32_t> sides) {
+      const std::uint32_t corner = numbers_[opposite(sides[0])];
+      if (std::ranges::all_of(sides, [&](std::uint32_t side) { return numbers_[opposite(side)] == corner; })) {
+        own.insert(own.end(), sides.begin(), sides.end());
+      }
+    });
+    const std::scoped_lock lock(mutex);
+    open.insert(open.end(), own.begin(), own.end());
   });
   std::ranges::sort(open);
+  return open;
+}
+
+// Divides open sides at the ends of others.
+void MeshSides::divide_sides(Workers& workers) {
+  const std::vector<std::uint32_t> open = open_sides(workers);
+  std::vector<std::uint32_t> corners;
+  for (const std::uint32_t side : open) {
+    const auto [low, high] = ends(side);
+    corners.push_back(low);
+    corners.push_back(high);
+  }
   std::ranges::sort(corners);
   corners.erase(std::ranges::unique(corners).begin(), corners.end());
   const PointTree tree(mesh_.vertices, std::move(corners));

@@ -70,6 +70,7 @@ class MeshSides {
     return {sides_.data() + begin, ends_[vertex] - begin};
   }
   void sort_sides(Workers& workers);
+  [[nodiscard]] std::vector<std::uint32_t> open_sides(Workers& workers) const;
   void divide_sides(Workers& workers);
 
   const Mesh& mesh_;
