@@ -39,6 +39,16 @@ TEST_F(CliTest, DrawTakesThePingsThatAreNamed) {
   EXPECT_EQ(beyond.err, "insonify: run/ahead.h5: --ping 5 must be below 5, the number of its pings\n");
 }
 
+// Bytes 16 to 19 of a PNG are its width: the colour bar alone takes more than 60 pixels.
+TEST_F(CliTest, PlainPicturesHaveNoAxes) {
+  const Outcome outcome = shell(
+      "width() { od -An -j16 -N4 -tu1 $1/ahead_fan_0000.png | awk '{print 256 * $3 + $4}'; }; "
+      "insonify run fan.yaml -o run -q --no-pictures --pings 1 && insonify draw run/ahead.h5 -o axes >axes.txt && "
+      "insonify draw run/ahead.h5 -o plain --plain >plain.txt && [ $(width plain) -gt 200 ] && "
+      "[ $(width plain) -lt $(( $(width axes) - 60 )) ]");
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+}
+
 TEST_F(CliTest, PicturesThatAreAllBlackAreToldOf) {
   const Outcome run = shell("insonify run fan.yaml -o run -q --no-view --levels 10:20");
   EXPECT_THAT(run.err, ContainsRegex("warning: the pictures of ahead are black: their brightest point has -[0-9.]+ dB, "

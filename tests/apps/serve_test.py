@@ -238,6 +238,28 @@ class Serving(unittest.TestCase):
         while one.text("state")["recording"]:
             pass
 
+    def test_markers_reach_all_pages_and_are_kept_beside_a_recording(self):
+        one, other = self.page(), self.page()
+        marker = {"name": "wreck", "position": [1, 2, -3.5], "time": 4.5, "sonar": "fls", "ping": 9}
+        one.say(op="mark", markers=[marker])
+        self.assertEqual(other.text("markers")["markers"], [marker])
+        self.assertEqual(self.page().text("markers")["markers"], [marker])  # Of one that comes later, too.
+        for markers, text in (([marker] * 1001, "1001 markers are too many; the most are 1000"),
+                              ([{**marker, "name": "x" * 201}], "the name of a marker has 201 bytes; the most are 200")):
+            one.say(op="mark", markers=markers)
+            self.assertEqual(one.text("error")["text"], text)
+        one.say(op="record", on=True, format="h5")
+        while not one.text("state")["recorded_pings"]:
+            pass
+        one.say(op="record", on=False)
+        while "; markers: " not in (note := one.text("note")["text"]):
+            pass
+        kept = json.loads((self.server.path / note.split("; markers: ")[1]).read_text())
+        position = marker.pop("position")
+        self.assertEqual(kept["features"], [{"type": "Feature", "geometry": {"type": "Point", "coordinates": position}, "properties": marker}])
+        one.say(op="mark", markers=[])
+        self.assertEqual(other.text("markers")["markers"], [])
+
     # One that flew and vanished would otherwise fly on for ever.
     def test_a_client_that_flew_and_vanishes_stops_the_vehicle(self):
         page, other = self.page(), self.page()

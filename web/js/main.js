@@ -37,7 +37,7 @@ const roundPings = () => picture.round.pings;
 const chooseObject = (object) => store.set({ object });
 // Labels come with the ping after the first cursor: a click before then waits for them.
 let clicked = null;
-const useTool = setUpMarks(store, (markers) => store.get("hello")?.presets && request({ op: "mark", markers }));
+const useTool = setUpMarks(store, (markers) => request({ op: "mark", markers }));
 const chooseUnder = (cursor) => {
   const { instance, labelled, world } = lookUp(store, cursor, roundPings());
   if (world && useTool(world)) return;

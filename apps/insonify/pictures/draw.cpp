@@ -184,6 +184,7 @@ void add_draw_options(const Command& command, DrawOptions& options) {
   command.flag("-f,--force", &options.force, "Replace existing pictures of this sonar");
   add_picture_options(command.under("Pictures"), options.pictures);
   add_counts_option(command.under("Pictures"), options.pictures);
+  command.under("Pictures").flag("--plain", &options.pictures.plain, "No title, axes and colour bar");
 }
 
 void add_draw(const Command& program) {
@@ -196,12 +197,14 @@ void add_draw(const Command& program) {
   command.option("--sonar", "NAME", &options.sonar, "Which sonar of a recording that has several");
   add_draw_options(command, options);
   command.footer(
-      "Draws the pictures that insonify run draws, without simulating anything: NAME_fan_0000.png and\n"
+      std::string(kDrawOrReplay) +
+      "\nDraws the pictures that insonify run draws, without simulating anything: NAME_fan_0000.png and\n"
       "NAME_polar_0000.png of a fan, NAME_scan.png and NAME_polar.png of a scanning sonar, NAME_waterfall.png of a\n"
       "side-scan sonar.\n\n"
       "Examples:\n"
       "  insonify draw out/fls.h5 -o pictures --levels -90:-40\n"
       "  insonify draw dive.raw -o pictures --ping 0\n"
+      "  insonify draw out/fls.h5 -o plain --plain --pictures all\n"
       "  insonify draw out/fls.mcap -o pictures --ping 3 --colour-map copper --height 1080");
   command.act([&options] { return draw(options); });
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "pictures/picture_options.h"
@@ -22,6 +23,11 @@ struct DrawOptions {
 
 /// @return  kDone. @throws InputError for wrong input, Error for a failure while running
 int draw(const DrawOptions& options);
+
+/// What the help of both says of the choice between them.
+inline constexpr std::string_view kDrawOrReplay =
+    "insonify draw makes pictures; insonify replay --view plays the same recordings in a browser. Without --view,\n"
+    "replay is draw.\n";
 
 /// Adds the options that `insonify draw` and `insonify replay` have in common.
 void add_draw_options(const Command& command, DrawOptions& options);

@@ -42,6 +42,7 @@ PictureStyle picture_style(const PictureOptions& options, EchoModel model, const
   }
   display.floor_db = options.floor_db;
   display.height = options.height;
+  display.annotations = !options.plain;
   if (const auto levels = parsed_levels(options.levels)) {
     style.fixed_levels = true;
     display.of_one = model == EchoModel::kPaper;

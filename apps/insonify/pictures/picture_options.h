@@ -24,6 +24,7 @@ struct PictureOptions {
   std::string levels;     ///< "LOW:HIGH" [dB]; "" to fit the pings.
   int height = 720;       ///< [pixels]
   bool counts = false;    ///< Draw counts instead of intensities.
+  bool plain = false;     ///< Only the picture itself: no title, axes and colour bar.
 };
 
 /// Adds the options shared by all commands that draw pings.

@@ -105,13 +105,12 @@ void add_replay(const Command& program) {
                 existing_folder());
   add_server_options(viewer, options.server);
   const std::vector<std::string> viewing = added_after(before, command);
-  command.footer(
-      "Without --view it draws what insonify draw does. With it, it prints the address of a page that plays the\n"
-      "recordings; Ctrl-C ends it.\n\n"
-      "Examples:\n"
-      "  insonify replay out/fls.h5 -o pictures\n"
-      "  insonify replay run.mcap --sonar fls -o pictures --pictures last\n"
-      "  insonify replay out/fls.h5 out/msis.h5 --view");
+  command.footer(std::string(kDrawOrReplay) +
+                 "\nWith --view it prints the address of a page that plays the recordings; Ctrl-C ends it.\n\n"
+                 "Examples:\n"
+                 "  insonify replay out/fls.h5 -o pictures\n"
+                 "  insonify replay run.mcap --sonar fls -o pictures --pictures last\n"
+                 "  insonify replay out/fls.h5 out/msis.h5 --view");
   command.act([command, &options, &drawn, &in_viewer, drawing, viewing] {
     if (in_viewer) {
       refuse(command, drawing, "is for pictures, and has no effect with --view");

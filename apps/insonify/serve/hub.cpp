@@ -76,7 +76,11 @@ void Hub::on_note(const std::string& text) {
 }
 
 void Hub::on_recorded(const LiveRecording& recording) {
-  const std::string text = recorded_text(recording);
+  std::string text = recorded_text(recording);
+  if (recording.pings > 0) {
+    const std::string markers = markers_.write_beside(recording.scenario);
+    text += markers.empty() ? "" : fmt::format("; markers: {}", markers);
+  }
   if (!quiet_) {
     say("{}\n", text);
     flush_output();
@@ -157,6 +161,13 @@ void Hub::send_levels(std::size_t sonar) {
       std::make_shared<const std::string>(levels_text(world_->sonars[sonar].name, *scales_[sonar].levels()));
   for (HubMember* member : std::set<HubMember*>(members_)) {
     member->on_levels(text);
+  }
+}
+
+void Hub::send_markers() {
+  const Bytes text = std::make_shared<const std::string>(markers_.text());
+  for (HubMember* member : std::set<HubMember*>(members_)) {
+    member->on_markers(text);
   }
 }
 

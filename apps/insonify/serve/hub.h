@@ -10,6 +10,7 @@
 #include <set>
 
 #include "insonify/live_loop.h"
+#include "serve/markers.h"
 #include "serve/net/net_server.h"
 #include "serve/ping_source.h"
 #include "serve/viewer_frames.h"
@@ -41,6 +42,8 @@ class HubMember {
   virtual void on_note(const std::string& text) = 0;
   /// @param text  levels_text() of a sonar whose display levels have changed.
   virtual void on_levels(const Bytes& /*text*/) {}
+  /// @param text  Markers::text(), which has changed.
+  virtual void on_markers(const Bytes& /*text*/) {}
   /// Velocity that this client steers with.
   [[nodiscard]] virtual bool flies() const { return false; }
 };
@@ -72,6 +75,9 @@ class Hub : public LiveListener {
   [[nodiscard]] const std::shared_ptr<SharedPing>& last_ping(int sonar) const {
     return last_pings_.at(static_cast<std::size_t>(sonar));
   }
+  [[nodiscard]] Markers& markers() { return markers_; }
+  /// Sends them to all clients.
+  void send_markers();
   [[nodiscard]] const ServerCounts& counts() const { return counts_; }
   /// Updates the rate and sends the state to all clients.
   void send_state();
@@ -102,6 +108,7 @@ class Hub : public LiveListener {
   bool asked_ = false;
 
   std::atomic<bool> telling_ = false;
+  Markers markers_;
 
   std::set<HubMember*> members_;
   std::shared_ptr<const LiveWorld> world_;

@@ -67,6 +67,9 @@ class ViewerClient : public Client, public HubMember, public std::enable_shared_
       scene_ = hub_.scene();
       connection_.send({.bytes = scene_, .binary = true});
     }
+    if (!hub_.markers().empty()) {
+      send(hub_.markers().text());
+    }
     on_state();
     for (std::size_t i = 0; i < hub_.world().sonars.size(); ++i) {
       if (const auto& ping = hub_.last_ping(static_cast<int>(i))) {
@@ -83,6 +86,7 @@ class ViewerClient : public Client, public HubMember, public std::enable_shared_
 
   void on_note(const std::string& text) override { send(note_text(text)); }
   void on_levels(const Bytes& text) override { send(text); }
+  void on_markers(const Bytes& text) override { send(text); }
 
   void on_ping(SharedPing& shared) override {
     const LivePing& ping = shared.ping();
@@ -225,6 +229,9 @@ class ViewerClient : public Client, public HubMember, public std::enable_shared_
       simulation().set_material(text_of(message, "object"), text_of(message, "material"), answer(op));
     } else if (op == "record") {
       record(message);
+    } else if (op == "mark") {
+      hub_.markers().set(message);
+      hub_.send_markers();
     } else if (op == "save") {
       send(saved_text(simulation().saved_scenario()));
     } else {

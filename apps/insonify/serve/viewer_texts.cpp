@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "insonify/files.h"
 #include "insonify/picture.h"
 #include "insonify/recording_formats.h"
 #include "insonify/version.h"
@@ -118,9 +119,25 @@ Json sonar_json(const LiveWorld& world, int index, const ShownLevels& levels) {
           {"sector_width", degrees_from_radians(sonar.head.sector_width)},
           {"gain_db", 10 * std::log10(sonar.gain)},
           {"period", *sonar.ping_period},
-          {"reference", calibrated ? "dB re the source's level at 1 m" : "dB re full scale"},
+          {"reference", calibrated ? "dB re source at 1 m" : "dB re full scale"},
           {"levels", {levels.first, levels.second}},
           {"shown_gain", shown_gain(world, index)}};
+}
+
+// The name to show for a material: an object that was given another's has that name, not its own.
+std::string shown_material(const LiveWorld& world, const std::string& name) {
+  const auto found = world.scenario.materials.overrides.find(name);
+  if (found == world.scenario.materials.overrides.end() ||
+      std::ranges::find(world.scene.instances, name, &Instance::name) == world.scene.instances.end()) {
+    return name;
+  }
+  bool changed = found->second.like.empty();
+  MaterialOverride::visit_fields(found->second, [&](const Field& /*field*/, const auto& member) {
+    if constexpr (requires { member.has_value(); }) {
+      changed = changed || member.has_value();
+    }
+  });
+  return changed ? name : found->second.like;
 }
 
 constexpr double kDepth = 50;                 // From the darkest to the brightest level [dB].
@@ -147,7 +164,7 @@ std::string hello_text(const LiveWorld& world, const std::vector<ShownLevels>& l
     object_materials.push_back(instance.materials.empty() ? -1 : instance.materials[0]);
   }
   for (const Material& material : world.scene.materials) {
-    materials.push_back(material.name);
+    materials.push_back(shown_material(world, material.name));
   }
   for (const Material& material : material_library()) {
     library.push_back(material.name);
@@ -180,6 +197,7 @@ std::string hello_text(const LiveWorld& world, const std::vector<ShownLevels>& l
                  {"materials", materials},
                  {"object_materials", object_materials},
                  {"library", library},
+                 {"presets", playback == nullptr ? preset_names() : std::vector<std::string>()},
                  {"trajectory", trajectory},
                  {"keys", scenario_keys(world.scenario)}});
 }

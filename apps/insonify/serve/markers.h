@@ -1,0 +1,35 @@
+// markers.h -- named points of the world that operators have marked: shared by all pages, and kept beside recordings.
+
+#pragma once
+
+#include <filesystem>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace insonify {
+
+/// The markers of a session. All functions may be called from any thread.
+class Markers {
+ public:
+  /// Replaces all markers by those of a message: {"markers": [{"name", "position": [x, y, z], "time", "sonar",
+  /// "ping"}...]}.
+  /// @throws FormError for a member of the wrong type, Error for more than 1000 markers or a name of more than 200
+  /// bytes.
+  void set(const nlohmann::json& message);
+
+  [[nodiscard]] bool empty() const;
+  /// The message {"op": "markers", "markers"}.
+  [[nodiscard]] std::string text() const;
+
+  /// Writes them as GeoJSON, in metres of the world, beside a recording: dive-markers.geojson for dive.yaml. Nothing
+  /// without markers.
+  /// @return  Name of the file, "" if none was written.
+  [[nodiscard]] std::string write_beside(const std::filesystem::path& scenario) const;
+
+ private:
+  mutable std::mutex mutex_;
+  nlohmann::ordered_json markers_ = nlohmann::ordered_json::array();
+};
+
+}  // namespace insonify
