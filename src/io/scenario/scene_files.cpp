@@ -45,11 +45,11 @@ std::filesystem::path scenario_file(const std::filesystem::path& scenario) {
 }
 
 std::string scene_title(const std::string& name) {
-  std::ifstream file(scenario_file(name));
+  std::ifstream file(shipped_folder("scenes") / (name + ".yaml"));
   std::string line;
   std::getline(file, line);
   if (!line.starts_with("# ")) {
-    return line;
+    return "";
   }
   return line.substr(2, std::min(line.find(": "), line.find_last_not_of(".") + 1) - 2);
 }
