@@ -1,4 +1,4 @@
-// same_places.cpp -- hash tables of places and of cells of space, which all threads fill, and one of triangles.
+// same_places.cpp -- hash tables of places, triangles and cells of space, which all threads fill.
 
 #include "scene/same_places.h"
 
@@ -31,46 +31,66 @@ std::size_t hash_of(const Vec3f& place) {
   return hash;
 }
 
-// A table of places with linear probing. The slot of a place is that in which an equal one came first, and holds the
-// lowest of these.
-class PlaceTable {
+// A table of numbered things with linear probing. The slot of a thing is that in which an equal one came first, and
+// holds the lowest of these. HashOf(thing), IsSame(thing, other).
+template <typename HashOf, typename IsSame>
+class LowestTable {
  public:
-  explicit PlaceTable(std::span<const Vec3f> places)
-      : places_(places), slots_(std::bit_ceil(2 * places.size() + 1), kEmpty) {}
+  LowestTable(std::size_t count, const HashOf& hash_of, const IsSame& is_same)
+      : hash_of_(hash_of), is_same_(is_same), slots_(std::bit_ceil(2 * count + 1), kEmpty) {}
 
-  void add(std::uint32_t place) {
-    for (std::size_t i = first_slot(place);; i = (i + 1) & (slots_.size() - 1)) {
+  void add(std::uint32_t thing) {
+    for (std::size_t i = first_slot(thing);; i = (i + 1) & (slots_.size() - 1)) {
       const std::atomic_ref<std::uint32_t> slot(slots_[i]);
       std::uint32_t held = slot.load(std::memory_order_relaxed);
-      while (held == kEmpty || (place < held && is_same(held, place))) {
-        if (slot.compare_exchange_weak(held, place, std::memory_order_relaxed)) {
+      while (held == kEmpty || (thing < held && is_same_(held, thing))) {
+        if (slot.compare_exchange_weak(held, thing, std::memory_order_relaxed)) {
           return;
         }
       }
-      if (is_same(held, place)) {
+      if (held == thing || is_same_(held, thing)) {
         return;
       }
     }
   }
 
   // After all have been added.
-  [[nodiscard]] std::uint32_t lowest(std::uint32_t place) const {
-    std::size_t i = first_slot(place);
-    while (!is_same(slots_[i], place)) {
+  [[nodiscard]] std::uint32_t lowest(std::uint32_t thing) const {
+    std::size_t i = first_slot(thing);
+    while (slots_[i] != thing && !is_same_(slots_[i], thing)) {
       i = (i + 1) & (slots_.size() - 1);
     }
     return slots_[i];
   }
 
  private:
-  [[nodiscard]] std::size_t first_slot(std::uint32_t place) const {
-    return hash_of(places_[place]) & (slots_.size() - 1);
-  }
-  [[nodiscard]] bool is_same(std::uint32_t a, std::uint32_t b) const { return a == b || places_[a] == places_[b]; }
+  [[nodiscard]] std::size_t first_slot(std::uint32_t thing) const { return hash_of_(thing) & (slots_.size() - 1); }
 
-  std::span<const Vec3f> places_;
+  const HashOf& hash_of_;
+  const IsSame& is_same_;
   std::vector<std::uint32_t> slots_;
 };
+
+// Calls visit(i) for the numbers [0, count).
+template <typename Visit>
+void for_each_number(std::size_t count, Workers& workers, const Visit& visit) {
+  for_each_block(workers, count, kItemsOfTask, [&](std::size_t first, std::size_t last) {
+    for (auto i = static_cast<std::uint32_t>(first); i < last; ++i) {
+      visit(i);
+    }
+  });
+}
+
+// [thing] The lowest of those equal to it.
+template <typename HashOf, typename IsSame>
+std::vector<std::uint32_t> lowest_equal(std::size_t count, const HashOf& hash_of, const IsSame& is_same,
+                                        Workers& workers) {
+  LowestTable table(count, hash_of, is_same);
+  for_each_number(count, workers, [&](std::uint32_t i) { table.add(i); });
+  std::vector<std::uint32_t> lowest(count);
+  for_each_number(count, workers, [&](std::uint32_t i) { lowest[i] = table.lowest(i); });
+  return lowest;
+}
 
 // Different places by the cells of space in which they lie, sorted by counting.
 class CellTable {
@@ -158,26 +178,16 @@ float same_place_tolerance(std::span<const Vec3f> places) {
 
 std::vector<std::uint32_t> same_places(std::span<const Vec3f> places, float tolerance, std::vector<float> most,
                                        Workers& workers) {
-  const auto for_each = [&](const auto& visit) {
-    for_each_block(workers, places.size(), kItemsOfTask, [&](std::size_t first, std::size_t last) {
-      for (auto i = static_cast<std::uint32_t>(first); i < last; ++i) {
-        visit(i);
-      }
-    });
-  };
-  std::vector<std::uint32_t> numbers(places.size());
-  {
-    PlaceTable table(places);
-    for_each([&](std::uint32_t i) { table.add(i); });
-    for_each([&](std::uint32_t i) { numbers[i] = table.lowest(i); });
-  }
+  std::vector<std::uint32_t> numbers = lowest_equal(
+      places.size(), [&](std::uint32_t i) { return hash_of(places[i]); },
+      [&](std::uint32_t a, std::uint32_t b) { return places[a] == places[b]; }, workers);
   for (std::uint32_t i = 0; i < most.size(); ++i) {
     most[numbers[i]] = std::min(most[numbers[i]], most[i]);
   }
   std::vector<std::uint32_t> nearest(numbers);  // The lowest near.
   {
     const CellTable table(places, numbers, tolerance, workers);
-    for_each([&](std::uint32_t i) {
+    for_each_number(places.size(), workers, [&](std::uint32_t i) {
       if (numbers[i] == i && places[i].allFinite()) {
         table.for_each_near(i, [&](std::uint32_t other) {
           const float limit = most.empty() ? tolerance : std::min({tolerance, most[i], most[other]});
@@ -188,23 +198,20 @@ std::vector<std::uint32_t> same_places(std::span<const Vec3f> places, float tole
       }
     });
   }
-  for_each([&](std::uint32_t i) {
+  for_each_number(places.size(), workers, [&](std::uint32_t i) {
     const std::uint32_t near = nearest[numbers[i]];
     numbers[i] = nearest[near] == near ? near : numbers[i];
   });
   return numbers;
 }
 
-std::vector<std::uint32_t> repeated_triangles(const Mesh& mesh) {
-  std::vector<std::uint64_t> of_vertex, hashes;  // Of a triangle: the same for any order of its corners.
-  of_vertex.reserve(mesh.vertices.size());
-  for (const Vec3f& place : mesh.vertices) {
-    of_vertex.push_back(hash_of(place));
-  }
-  hashes.reserve(mesh.triangles.size());
-  for (const auto& [a, b, c] : mesh.triangles) {
-    hashes.push_back(mixed(0, of_vertex[a] + of_vertex[b] + of_vertex[c]));
-  }
+std::vector<std::uint32_t> repeated_triangles(const Mesh& mesh, Workers& workers) {
+  const std::size_t count = mesh.triangles.size();
+  std::vector<std::uint64_t> hashes(count);  // The same for any order of the corners.
+  for_each_number(count, workers, [&](std::uint32_t i) {
+    const auto& [a, b, c] = mesh.triangles[i];
+    hashes[i] = mixed(0, hash_of(mesh.vertices[a]) + hash_of(mesh.vertices[b]) + hash_of(mesh.vertices[c]));
+  });
   const auto has_corner = [&](std::uint32_t triangle, std::uint32_t vertex) {
     return std::ranges::any_of(mesh.triangles[triangle],
                                [&](std::uint32_t other) { return mesh.vertices[other] == mesh.vertices[vertex]; });
@@ -213,22 +220,16 @@ std::vector<std::uint32_t> repeated_triangles(const Mesh& mesh) {
     return hashes[one] == hashes[two] &&
            std::ranges::all_of(mesh.triangles[one], [&](std::uint32_t vertex) { return has_corner(two, vertex); });
   };
-  std::vector<std::uint32_t> first;
-  std::vector<std::uint32_t> table(std::bit_ceil(2 * mesh.triangles.size() + 1), kEmpty);
-  for (std::uint32_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
-    std::size_t i = hashes[triangle] & (table.size() - 1);
-    while (table[i] != kEmpty && !is_same(table[i], triangle)) {
-      i = (i + 1) & (table.size() - 1);
+  std::vector<std::uint32_t> first = lowest_equal(
+      count, [&](std::uint32_t i) { return hashes[i]; }, is_same, workers);
+  std::atomic<bool> any = false;
+  for_each_number(count, workers, [&](std::uint32_t i) {
+    if (first[i] != i) {
+      any.store(true, std::memory_order_relaxed);
     }
-    if (table[i] == kEmpty) {
-      table[i] = triangle;
-    } else {
-      first.resize(mesh.triangles.size(), kEmpty);
-      first[triangle] = table[i];
-    }
-  }
-  for (std::uint32_t triangle = 0; triangle < first.size(); ++triangle) {
-    first[triangle] = std::min(first[triangle], triangle);
+  });
+  if (!any) {
+    first.clear();
   }
   return first;
 }

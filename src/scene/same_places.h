@@ -26,6 +26,6 @@ inline constexpr float kSamePlace = 5e-5F;
                                                      std::vector<float> most, Workers& workers);
 
 /// [triangle] Index of the first triangle with the same three corners, in any order; empty if no two have.
-[[nodiscard]] std::vector<std::uint32_t> repeated_triangles(const Mesh& mesh);
+[[nodiscard]] std::vector<std::uint32_t> repeated_triangles(const Mesh& mesh, Workers& workers);
 
 }  // namespace insonify

@@ -33,7 +33,8 @@ Scene scene_of_parts(std::vector<Instance> parts) {
 
 std::vector<Corner> corners_of(const Scene& scene, const std::optional<WaterMirror>& water) {
   Workers workers(2);
-  return find_corners(scene, find_plane_mirrors(scene, -1, workers), water, workers);
+  std::vector<PlaneMirror> still = find_plane_mirrors(scene, -1, workers);
+  return find_corners(scene, still, water, workers);
 }
 
 const Pose kPose{.position = {104.3, -51.2, -7.7}, .orientation = orientation_from_rpy(0.31, -0.52, 1.9)};
@@ -277,6 +278,31 @@ TEST(CornersTest, AmongManyParallelMirrorsThoseThatMeetMakeCorners) {
       return (corner.apex - part.world_from_mesh.position).norm() < 2 * PlaneMirror::kFlush;
     };
     EXPECT_EQ(std::ranges::count_if(corners, is_here), 1);
+  }
+}
+
+// 5000 squares of two triangles each in a stack: the first 2000 are mirrors, in their order.
+TEST(CornerTest, ManyPlanesAreToldApart) {
+  constexpr std::uint32_t kSquares = 5000;
+  Mesh stack;
+  for (std::uint32_t i = 0; i < kSquares; ++i) {
+    const float height = 0.125F * static_cast<float>(i);
+    for (const auto& [x, y] : {std::pair(0.F, 0.F), {1.F, 0.F}, {1.F, 1.F}, {0.F, 1.F}}) {
+      stack.vertices.emplace_back(x, y, height);
+      stack.normals.emplace_back(Vec3f::UnitZ());
+    }
+    stack.triangles.push_back({4 * i, 4 * i + 1, 4 * i + 2});
+    stack.triangles.push_back({4 * i, 4 * i + 2, 4 * i + 3});
+  }
+  Workers workers(2);
+  const std::vector<PlaneMirror> mirrors =
+      find_plane_mirrors(scene_of_parts({instance_of(std::move(stack))}), -1, workers);
+  ASSERT_EQ(mirrors.size(), PlaneMirror::kMostMirrors);
+  for (std::size_t i = 0; i < mirrors.size(); ++i) {
+    EXPECT_EQ(mirrors[i].offset, 0.125 * static_cast<double>(i));
+    EXPECT_EQ(mirrors[i].triangles.size(), 2U);
+    EXPECT_DOUBLE_EQ(mirrors[i].area, 1);
+    EXPECT_EQ(mirrors[i].high - mirrors[i].low, Vec3(1, 1, 0));
   }
 }
 

@@ -26,7 +26,8 @@ Scene scene_of(Mesh mesh, const Pose& world_from_mesh = {}) {
 ThinParts parts_of(const Scene& scene) {
   const std::unique_ptr<TestEngine> engine = test_engine("cpu", 2);
   engine->set_scene(scene);
-  return find_thin_parts(scene, engine->engine());
+  Workers workers(2);
+  return find_thin_parts(scene, engine->engine(), workers);
 }
 
 double area_of(const ThinParts& parts) {

@@ -53,14 +53,15 @@ TEST(SamePlacesTest, ChainsDoNotCreep) {
 }
 
 TEST(SamePlacesTest, TrianglesGivenTwiceAreKnownInAnyOrder) {
+  Workers workers(2);
   Mesh mesh = make_box({1, 2, 3});
-  EXPECT_TRUE(repeated_triangles(mesh).empty());
+  EXPECT_TRUE(repeated_triangles(mesh, workers).empty());
   const std::size_t count = mesh.triangles.size();
   const auto [a, b, c] = mesh.triangles[5];
   mesh.vertices.push_back(Vec3f(mesh.vertices[b]));
   mesh.triangles.push_back({c, static_cast<std::uint32_t>(mesh.vertices.size() - 1), a});
   mesh.triangles.push_back({a, a, b});  // As many corners in common, but another triangle.
-  const std::vector<std::uint32_t> first = repeated_triangles(mesh);
+  const std::vector<std::uint32_t> first = repeated_triangles(mesh, workers);
   ASSERT_EQ(first.size(), count + 2);
   for (std::uint32_t i = 0; i < count; ++i) {
     EXPECT_EQ(first[i], i);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <new>
 
+#include "base/parallel_blocks.h"
 #include "insonify/error.h"
 
 namespace insonify {
@@ -135,7 +136,7 @@ void CpuScene::set(const Instance& instance, unsigned id, bool with_faces, Worke
   if (is_new && is_placed(instance)) {
     add_placed(instance, id);
   } else if (is_new) {
-    add_copy(instance, id);
+    add_copy(instance, id, workers);
   } else if (instance.moving) {
     place(part.placed, instance.world_from_mesh, origin_);
   }
@@ -188,14 +189,16 @@ RTCGeometry CpuScene::make_triangles(const Mesh& mesh, const std::vector<Vec3f>&
   return geometry;
 }
 
-void CpuScene::add_copy(const Instance& instance, unsigned id) {
+void CpuScene::add_copy(const Instance& instance, unsigned id, Workers& workers) {
   const Mesh& mesh = *instance.mesh;
   Part& part = parts_[id];
-  part.own_vertices.reserve(mesh.vertices.size() + 1);
-  for (const Vec3f& vertex : mesh.vertices) {
-    part.own_vertices.push_back((instance.world_from_mesh * vertex.cast<double>().eval() - origin_).cast<float>());
-  }
-  part.own_vertices.emplace_back(Vec3f::Zero());  // Embree reads 16 bytes at the last vertex.
+  part.own_vertices.resize(mesh.vertices.size() + 1, Vec3f::Zero());  // Embree reads 16 bytes at the last vertex.
+  for_each_block(workers, mesh.vertices.size(), 1 << 14, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      part.own_vertices[i] =
+          (instance.world_from_mesh * mesh.vertices[i].cast<double>().eval() - origin_).cast<float>();
+    }
+  });
 
   // Normals are only rotated; without rotation those of the mesh are used.
   if (instance.world_from_mesh.orientation.isApprox(Eigen::Quaterniond::Identity())) {

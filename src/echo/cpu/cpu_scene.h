@@ -124,7 +124,7 @@ class CpuScene {
   void set(const Instance& instance, unsigned id, bool with_faces, Workers& workers);
   void remove(unsigned id);
   [[nodiscard]] bool is_placed(const Instance& instance) const;
-  void add_copy(const Instance& instance, unsigned id);
+  void add_copy(const Instance& instance, unsigned id, Workers& workers);
   void add_placed(const Instance& instance, unsigned id);
   [[nodiscard]] std::shared_ptr<MeshScene> scene_of(const Mesh& mesh);
   RTCGeometry make_triangles(const Mesh& mesh, const std::vector<Vec3f>& vertices);

@@ -58,8 +58,8 @@ struct Corner {
 
 /// Finds the corners of a scene: those between PlaneMirrors of static instances and the water's surface, and those
 /// within each moving instance.
-/// @param still  find_plane_mirrors() of the static instances.
-[[nodiscard]] std::vector<Corner> find_corners(const Scene& scene, const std::vector<PlaneMirror>& still,
+/// @param still  find_plane_mirrors() of the static instances. The water's is added while this runs.
+[[nodiscard]] std::vector<Corner> find_corners(const Scene& scene, std::vector<PlaneMirror>& still,
                                                const std::optional<WaterMirror>& water, Workers& workers);
 
 }  // namespace insonify

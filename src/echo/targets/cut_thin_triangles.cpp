@@ -22,17 +22,25 @@ Vertex between(const Vertex& a, const Vertex& b, float share) {
   return {a.place + share * (b.place - a.place), a.normal + share * (b.normal - a.normal)};
 }
 
-// Part of a convex polygon on one side of the plane x[along] = at; `side` is +1 for above, -1 for below.
-std::vector<Vertex> clipped(const std::vector<Vertex>& polygon, int along, float at, float side) {
-  std::vector<Vertex> rest;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vertex &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+// A triangle, or what two parallel planes leave of one: 5 corners, or 6 by rounding.
+struct Polygon {
+  std::array<Vertex, 6> corners;
+  std::size_t count = 0;
+
+  void add(const Vertex& corner) { corners[count++] = corner; }
+};
+
+// Part of a polygon on one side of the plane x[along] = at; `side` is +1 for above, -1 for below.
+Polygon clipped(const Polygon& polygon, int along, float at, float side) {
+  Polygon rest;
+  for (std::size_t i = 0; i < polygon.count; ++i) {
+    const Vertex &a = polygon.corners[i], &b = polygon.corners[(i + 1) % polygon.count];
     const float to_a = side * (a.place[along] - at), to_b = side * (b.place[along] - at);
     if (to_a >= 0) {
-      rest.push_back(a);
+      rest.add(a);
     }
     if ((to_a < 0) != (to_b < 0)) {
-      rest.push_back(between(a, b, to_a / (to_a - to_b)));
+      rest.add(between(a, b, to_a / (to_a - to_b)));
     }
   }
   return rest;
@@ -130,11 +138,11 @@ struct Slabs {
 void add_triangle(const Instance& instance, int index, const ThinTriangle& thin, float slab_length, Cells& cells) {
   const Mesh& mesh = *instance.mesh;
   const Slabs slabs = Slabs::of(mesh, thin, slab_length);
-  std::vector<Vertex> triangle;
+  Polygon triangle;
   float turn = 0;
   for (const std::uint32_t vertex : mesh.triangles[thin.triangle]) {
-    triangle.push_back({mesh.vertices[vertex], mesh.normals[vertex]});
-    turn = std::max(turn, (triangle.back().normal - triangle.front().normal).norm());
+    triangle.add({mesh.vertices[vertex], mesh.normals[vertex]});
+    turn = std::max(turn, (mesh.normals[vertex] - triangle.corners[0].normal).norm());
   }
   CellKey key{surface_label(static_cast<std::uint16_t>(index), instance.materials[mesh.slot_of(thin.triangle)]),
               thin.body,
@@ -142,18 +150,19 @@ void add_triangle(const Instance& instance, int index, const ThinTriangle& thin,
               static_cast<int>(std::lround(4 * std::log2(thin.thickness / 1e-3F))),
               {}};
   for (int i = slabs.first; i <= slabs.last; ++i) {
-    std::vector<Vertex> polygon = triangle;
+    Polygon polygon = triangle;
     if (thin.body < 0) {
       polygon = clipped(polygon, thin.along, slabs.length * static_cast<float>(i), 1);
       polygon = clipped(polygon, thin.along, slabs.length * static_cast<float>(i + 1), -1);
     }
-    for (std::size_t k = 2; k < polygon.size(); ++k) {
-      divide({polygon[0], polygon[k - 1], polygon[k]}, turn > kFlat, 0, [&](const Facet& facet) {
-        for (int d = 0; d < 3 && thin.body < 0; ++d) {
-          key.cell[d] = d == thin.along ? i : static_cast<int>(std::floor(facet.middle[d] / thin.thickness));
-        }
-        cells.add(key, facet);
-      });
+    for (std::size_t k = 2; k < polygon.count; ++k) {
+      divide({polygon.corners[0], polygon.corners[k - 1], polygon.corners[k]}, turn > kFlat, 0,
+             [&](const Facet& facet) {
+               for (int d = 0; d < 3 && thin.body < 0; ++d) {
+                 key.cell[d] = d == thin.along ? i : static_cast<int>(std::floor(facet.middle[d] / thin.thickness));
+               }
+               cells.add(key, facet);
+             });
     }
   }
 }

@@ -116,7 +116,7 @@ class Quarter {
             return (box.mirror == number_ || box.mirror == MirrorBox::kSeveral) && meets(ray, limit, box);
           },
           [&](const MirrorTree::Item& item) {
-            if (item.mirror == number_) {
+            if (item.box.mirror == number_) {
               add(mirror_->triangles[item.triangle]);
             }
           });
@@ -161,7 +161,7 @@ void add_octants(const Crossing& crossing, const std::vector<PlaneMirror>& mirro
       },
       [&](const MirrorTree::Item& item) {
         for (int k = 0; k < 3; ++k) {
-          if (item.mirror == crossing.mirrors[k]) {
+          if (item.box.mirror == crossing.mirrors[k]) {
             here[k].push_back(item.triangle);
           }
         }
@@ -215,7 +215,7 @@ double size_of(const Corner& corner) {
 }
 
 void add_corners(const std::vector<PlaneMirror>& mirrors, int instance, Workers& workers, std::vector<Corner>& all) {
-  const MirrorTree tree(mirrors, kMargin, kCrossingReach);
+  const MirrorTree tree(mirrors, kMargin, kCrossingReach, workers);
   const std::vector<Crossing> crossings = find_crossings(mirrors, tree, workers);
   std::vector<std::vector<Corner>> found(crossings.size());
   workers.for_each(static_cast<int>(crossings.size()),
@@ -245,14 +245,16 @@ PlaneMirror mirror_of(const WaterMirror& water) {
 
 }  // namespace
 
-std::vector<Corner> find_corners(const Scene& scene, const std::vector<PlaneMirror>& still,
+std::vector<Corner> find_corners(const Scene& scene, std::vector<PlaneMirror>& still,
                                  const std::optional<WaterMirror>& water, Workers& workers) {
   std::vector<Corner> corners;
-  std::vector<PlaneMirror> mirrors = still;
   if (water) {
-    mirrors.push_back(mirror_of(*water));
+    still.push_back(mirror_of(*water));
   }
-  add_corners(mirrors, -1, workers, corners);
+  add_corners(still, -1, workers, corners);
+  if (water) {
+    still.pop_back();
+  }
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const Instance& instance = scene.instances[i];
     if (instance.moving && instance.present && !instance.endless) {

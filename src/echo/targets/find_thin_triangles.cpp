@@ -6,7 +6,10 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <optional>
+#include <utility>
 
+#include "base/parallel_blocks.h"
 #include "echo/targets/alike.h"
 #include "echo/targets/thin_parts.h"
 #include "scene/same_places.h"
@@ -87,66 +90,59 @@ Ray probe_ray(const Vec3& from, const Vec3& direction, const Wall& wall) {
   return {from, direction, wall.clearance(), wall.reach()};
 }
 
-// Triangles that are narrow enough to be sides of a thin part, and not of a compact body.
-std::vector<Wall> walls_of(const Instance& instance, const std::vector<ThinTriangle>& compact) {
+// A triangle, if it is narrow enough to be a side of a thin part.
+std::optional<Wall> wall_of(const Instance& instance, std::uint32_t t) {
   const Mesh& mesh = *instance.mesh;
-  std::vector<Wall> walls;
-  walls.reserve(mesh.triangles.size() - compact.size());
-  auto next_compact = compact.begin();
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (next_compact != compact.end() && next_compact->triangle == t) {
-      ++next_compact;
-      continue;
-    }
-    if (const std::size_t slot = mesh.slot_of(t); slot < instance.reliefs.size() && instance.reliefs[slot] != nullptr) {
-      continue;
-    }
-    std::array<Vec3, 3> corners;
-    for (int k = 0; k < 3; ++k) {
-      corners[k] = instance.world_from_mesh * mesh.vertices[mesh.triangles[t][k]].cast<double>().eval();
-    }
-    const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-    const double length = normal.norm();
-    double longest = 0, curvature = 0;
-    Vec3 around = Vec3::Zero();
-    for (int k = 0; k < 3; ++k) {
-      const int next = (k + 1) % 3;
-      const double edge = (corners[next] - corners[k]).norm();
-      const Vec3f change = mesh.normals[mesh.triangles[t][next]] - mesh.normals[mesh.triangles[t][k]];
-      const float turn = change.norm();
-      longest = std::max(longest, edge);
-      if (turn > kEven && double{turn} > curvature * edge) {
-        curvature = double{turn} / edge;
-        around = change.cast<double>();
-      }
-    }
-    const Wall wall{t, (corners[0] + corners[1] + corners[2]) / 3, normal / length, curvature,
-                    instance.world_from_mesh.orientation * around};
-    if (length > 0 && length < kMostAltitude * wall.reach() * longest) {
-      walls.push_back(wall);
+  if (const std::size_t slot = mesh.slot_of(t); slot < instance.reliefs.size() && instance.reliefs[slot] != nullptr) {
+    return {};
+  }
+  std::array<Vec3, 3> corners;
+  for (int k = 0; k < 3; ++k) {
+    corners[k] = instance.world_from_mesh * mesh.vertices[mesh.triangles[t][k]].cast<double>().eval();
+  }
+  const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  const double length = normal.norm();
+  double longest = 0, curvature = 0;
+  Vec3 around = Vec3::Zero();
+  for (int k = 0; k < 3; ++k) {
+    const int next = (k + 1) % 3;
+    const double edge = (corners[next] - corners[k]).norm();
+    const Vec3f change = mesh.normals[mesh.triangles[t][next]] - mesh.normals[mesh.triangles[t][k]];
+    const float turn = change.norm();
+    longest = std::max(longest, edge);
+    if (turn > kEven && double{turn} > curvature * edge) {
+      curvature = double{turn} / edge;
+      around = change.cast<double>();
     }
   }
-  return walls;
+  const Wall wall{t, (corners[0] + corners[1] + corners[2]) / 3, normal / length, curvature,
+                  instance.world_from_mesh.orientation * around};
+  return length > 0 && length < kMostAltitude * wall.reach() * longest ? std::optional(wall) : std::nullopt;
 }
 
 // A wall with an opposite wall within reach, and the pairs of rays across from half-way between them. Where the body is
 // deeper than kThickest, and so round, there are two pairs: around the body and along it.
 class Near {
  public:
-  Near(const Wall& wall, double depth, std::vector<Ray>& rays)
+  Near(const Wall& wall, double depth, std::size_t first_ray)
       : wall_(&wall),
         depth_(depth),
-        first_ray_(rays.size()),
-        directions_(depth < double{ThinParts::kThickest} ? kAcross : 2) {
-    const Vec3 inside = wall.middle - 0.5 * depth * wall.normal;
-    const Vec3 turned = wall.around - wall.normal.dot(wall.around) * wall.normal;
-    const Vec3 one = directions_ == 2 ? turned.normalized() : wall.normal.unitOrthogonal();
-    const Vec3 two = wall.normal.cross(one);
+        first_ray_(first_ray),
+        directions_(depth < double{ThinParts::kThickest} ? kAcross : 2) {}
+
+  [[nodiscard]] std::size_t last_ray() const { return first_ray_ + 2 * static_cast<std::size_t>(directions_); }
+
+  // Sets the rays from first_ray to last_ray().
+  void aim(std::vector<Ray>& rays) const {
+    const Vec3 inside = wall_->middle - 0.5 * depth_ * wall_->normal;
+    const Vec3 turned = wall_->around - wall_->normal.dot(wall_->around) * wall_->normal;
+    const Vec3 one = directions_ == 2 ? turned.normalized() : wall_->normal.unitOrthogonal();
+    const Vec3 two = wall_->normal.cross(one);
     for (int k = 0; k < directions_; ++k) {
       const double angle = std::numbers::pi * k / directions_;
       const Vec3 direction = std::cos(angle) * one + std::sin(angle) * two;
-      rays.push_back(probe_ray(inside, direction, wall));
-      rays.push_back(probe_ray(inside, -direction, wall));
+      rays[first_ray_ + 2 * k] = probe_ray(inside, direction, *wall_);
+      rays[first_ray_ + 2 * k + 1] = probe_ray(inside, -direction, *wall_);
     }
   }
 
@@ -156,7 +152,7 @@ class Near {
   [[nodiscard]] std::pair<double, Vec3> measure(const std::vector<Ray>& rays, std::span<const double> sides) const {
     const auto width = [&](std::size_t ray) { return sides[ray] + sides[ray + 1]; };
     std::size_t narrowest = first_ray_;
-    for (std::size_t ray = first_ray_; ray < first_ray_ + 2 * static_cast<std::size_t>(directions_); ray += 2) {
+    for (std::size_t ray = first_ray_; ray < last_ray(); ray += 2) {
       narrowest = width(ray) < width(narrowest) ? ray : narrowest;
     }
     const double widest = directions_ == 2 ? std::max(width(first_ray_), width(first_ray_ + 2)) : depth_;
@@ -195,8 +191,9 @@ void share_thickness(const std::vector<std::uint32_t>& first_of, std::vector<Thi
   }
 }
 
-// Leaves thick round parts that are not compact to the lattice if they are an assembly of many.
-void leave_assemblies(const Instance& instance, int index, std::vector<ThinTriangle>& thin) {
+// Leaves thick round parts that are not compact to the lattice if they are an assembly of many. Returns their pieces if
+// all that is thin is such a part, and stays.
+ThinParts leave_assemblies(const Instance& instance, int index, std::vector<ThinTriangle>& thin) {
   const auto is_thick = [](const ThinTriangle& triangle) {
     return triangle.body < 0 && triangle.thickness > ThinParts::kThickest;
   };
@@ -206,24 +203,42 @@ void leave_assemblies(const Instance& instance, int index, std::vector<ThinTrian
   if (!cut_thin_triangles(instance, index, thick, kShortest, parts) ||
       parts.pieces.size() > ThinParts::kMostThickPieces) {
     std::erase_if(thin, is_thick);
+    return {};
   }
+  return thick.size() == thin.size() ? std::move(parts) : ThinParts{};
+}
+
+// Adds the pieces of `own`, if there is room for them.
+bool append(const ThinParts& own, ThinParts& parts) {
+  if (own.pieces.empty() || parts.pieces.size() + own.pieces.size() > ThinParts::kMostPieces) {
+    return false;
+  }
+  const auto patches = static_cast<std::uint32_t>(parts.patches.size());
+  for (ThinParts::Piece piece : own.pieces) {
+    piece.first_patch += patches;
+    piece.last_patch += patches;
+    parts.pieces.push_back(piece);
+  }
+  parts.patches.insert(parts.patches.end(), own.patches.begin(), own.patches.end());
+  return true;
 }
 
 // Adds the pieces of an instance, or its name where these are too many. Returns the thickness of its triangles.
-LeftOut::ByTriangle<float> add_pieces(const Scene& scene, int index, Engine& engine, ThinParts& parts) {
+LeftOut::ByTriangle<float> add_pieces(const Scene& scene, int index, Engine& engine, Workers& workers,
+                                      ThinParts& parts) {
   const Instance& instance = scene.instances[index];
-  std::vector<ThinTriangle> thin = find_thin_triangles(scene, index, engine);
+  std::vector<ThinTriangle> thin = find_thin_triangles(scene, index, engine, workers);
   // Thickness is rounded up to quarter octaves, so that a piece and its triangles pass to the lattice at the same
   // range.
   for (ThinTriangle& triangle : thin) {
     triangle.thickness = 1e-3F * std::exp2(0.25F * std::ceil(4 * std::log2(triangle.thickness / 1e-3F)));
   }
-  leave_assemblies(instance, index, thin);
+  const ThinParts round = leave_assemblies(instance, index, thin);
   if (thin.empty()) {
     return nullptr;
   }
   float slab = kShortest;
-  while (slab <= kLongest && !cut_thin_triangles(instance, index, thin, slab, parts)) {
+  while (slab <= kLongest && !append(round, parts) && !cut_thin_triangles(instance, index, thin, slab, parts)) {
     slab *= 2;
   }
   if (slab > kLongest) {
@@ -237,46 +252,124 @@ LeftOut::ByTriangle<float> add_pieces(const Scene& scene, int index, Engine& eng
   return std::make_shared<const std::vector<float>>(std::move(thickness));
 }
 
+// Measures the thickness of one instance at many triangles at a time.
+class Gauge {
+ public:
+  Gauge(const Scene& scene, int index, Engine& engine, Workers& workers)
+      : instance_(scene.instances[index]), through_(index, engine), across_(index, engine), workers_(workers) {}
+
+  // Adds those of some triangles that belong to thin parts, and of those before, in their order.
+  void measure(std::span<const std::uint32_t> triangles, bool last, std::vector<ThinTriangle>& thin) {
+    find_walls(triangles);
+    std::size_t first = 0;
+    while (walls_.size() - first >= kTogether || (last && first < walls_.size())) {
+      const std::size_t count = std::min(kTogether, walls_.size() - first);
+      measure(std::span<const Wall>(walls_).subspan(first, count), thin);
+      first += count;
+    }
+    walls_.erase(walls_.begin(), walls_.begin() + static_cast<std::ptrdiff_t>(first));
+  }
+
+ private:
+  static constexpr std::size_t kTask = 512;  // Triangles of a task.
+
+  void measure(std::span<const Wall> walls, std::vector<ThinTriangle>& thin) {
+    rays_.clear();
+    for (const Wall& wall : walls) {
+      rays_.push_back(probe_ray(wall.middle, -wall.normal, wall));
+    }
+    const std::span<const double> depths = through_.distances(rays_);
+    near_.clear();
+    std::size_t cross_rays = 0;
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+      if (std::isfinite(depths[i]) && walls[i].may_be_thin(depths[i])) {
+        near_.emplace_back(walls[i], depths[i], cross_rays);
+        cross_rays = near_.back().last_ray();
+      }
+    }
+    cross_rays_.resize(cross_rays);
+    for_each_block(workers_, near_.size(), kTask, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        near_[i].aim(cross_rays_);
+      }
+    });
+    const std::span<const double> sides = across_.distances(cross_rays_);
+    measured_.resize(near_.size());
+    for_each_block(workers_, near_.size(), kTask, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        measured_[i] = thin_at(near_[i], sides);
+      }
+    });
+    for (const std::optional<ThinTriangle>& one : measured_) {
+      if (one) {
+        thin.push_back(*one);
+      }
+    }
+  }
+
+  // Adds the walls among some triangles.
+  void find_walls(std::span<const std::uint32_t> triangles) {
+    found_.resize(triangles.size());
+    for_each_block(workers_, triangles.size(), kTask, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        found_[i] = wall_of(instance_, triangles[i]);
+      }
+    });
+    for (const std::optional<Wall>& wall : found_) {
+      if (wall) {
+        walls_.push_back(*wall);
+      }
+    }
+  }
+
+  [[nodiscard]] std::optional<ThinTriangle> thin_at(const Near& part, std::span<const double> sides) const {
+    const auto [thickness, along] = part.measure(cross_rays_, sides);
+    if (!(thickness < part.wall().reach() && part.wall().may_be_thin(thickness))) {
+      return {};
+    }
+    int coordinate = 0;
+    (instance_.world_from_mesh.orientation.conjugate() * along).cwiseAbs().maxCoeff(&coordinate);
+    return ThinTriangle{part.wall().triangle, static_cast<float>(thickness), coordinate};
+  }
+
+  const Instance& instance_;
+  Probe through_, across_;
+  Workers& workers_;
+  std::vector<std::optional<Wall>> found_;
+  std::vector<Wall> walls_;  // Not measured yet.
+  std::vector<Near> near_;
+  std::vector<Ray> rays_, cross_rays_;
+  std::vector<std::optional<ThinTriangle>> measured_;
+};
+
 }  // namespace
 
-std::vector<ThinTriangle> find_thin_triangles(const Scene& scene, int index, Engine& engine) {
+std::vector<ThinTriangle> find_thin_triangles(const Scene& scene, int index, Engine& engine, Workers& workers) {
   const Instance& instance = scene.instances[index];
-  const std::vector<std::uint32_t> first_of = repeated_triangles(*instance.mesh);
+  const std::size_t count = instance.mesh->triangles.size();
+  const std::vector<std::uint32_t> first_of = repeated_triangles(*instance.mesh, workers);
   std::vector<ThinTriangle> thin = find_compact_bodies(instance, first_of);
-  const std::vector<Wall> walls = walls_of(instance, thin);
+  std::vector<std::uint8_t> compact(thin.empty() ? 0 : count, 0);
+  for (const ThinTriangle& triangle : thin) {
+    compact[triangle.triangle] = 1;
+  }
   std::erase_if(thin, [](const ThinTriangle& triangle) { return triangle.thickness >= ThinParts::kThickestRound; });
-  Probe through(index, engine), across(index, engine);
-  std::vector<Ray> rays, cross_rays;
-  std::vector<Near> near;
-  for (std::size_t first = 0; first < walls.size(); first += kTogether) {
-    const std::span<const Wall> some(&walls[first], std::min(kTogether, walls.size() - first));
-    rays.clear();
-    for (const Wall& wall : some) {
-      rays.push_back(probe_ray(wall.middle, -wall.normal, wall));
+  Gauge gauge(scene, index, engine, workers);
+  std::vector<std::uint32_t> some;
+  for (std::uint32_t t = 0; t < count; ++t) {
+    if (compact.empty() || compact[t] == 0) {
+      some.push_back(t);
     }
-    const std::span<const double> depths = through.distances(rays);
-    near.clear();
-    cross_rays.clear();
-    for (std::size_t i = 0; i < some.size(); ++i) {
-      if (std::isfinite(depths[i]) && some[i].may_be_thin(depths[i])) {
-        near.emplace_back(some[i], depths[i], cross_rays);
-      }
-    }
-    const std::span<const double> sides = across.distances(cross_rays);
-    for (const Near& part : near) {
-      const auto [thickness, along] = part.measure(cross_rays, sides);
-      if (thickness < part.wall().reach() && part.wall().may_be_thin(thickness)) {
-        int coordinate = 0;
-        (instance.world_from_mesh.orientation.conjugate() * along).cwiseAbs().maxCoeff(&coordinate);
-        thin.push_back({part.wall().triangle, static_cast<float>(thickness), coordinate});
-      }
+    if (some.size() == kTogether || t + 1 == count) {
+      gauge.measure(some, t + 1 == count, thin);
+      some.clear();
     }
   }
   share_thickness(first_of, thin);
   return thin;
 }
 
-ThinParts find_thin_parts(const Scene& scene, Engine& engine) {
+ThinParts find_thin_parts(const Scene& scene, Engine& engine, Workers& workers) {
   ThinParts parts;
   LeftOut triangles;
   triangles.thickness.resize(scene.instances.size());
@@ -290,7 +383,7 @@ ThinParts find_thin_parts(const Scene& scene, Engine& engine) {
     const auto [begin, end] = pieces[first[i]];
     pieces[i].first = parts.pieces.size();
     if (first[i] == i || parts.pieces.size() + (end - begin) > ThinParts::kMostPieces) {
-      triangles.thickness[i] = add_pieces(scene, static_cast<int>(i), engine, parts);
+      triangles.thickness[i] = add_pieces(scene, static_cast<int>(i), engine, workers, parts);
     } else {
       triangles.thickness[i] = triangles.thickness[first[i]];
       if (std::ranges::find(parts.left_out, scene.instances[first[i]].name) != parts.left_out.end()) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <type_traits>
 #include <utility>
 
 #include "base/parallel_blocks.h"
@@ -31,17 +32,23 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> find_pairs(const std::vecto
                                                                 std::span<const MirrorTree::Item> some) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   for (const MirrorTree::Item& own : some) {
-    const PlaneMirror& mirror = mirrors[own.mirror];
+    const std::uint32_t number = own.box.mirror;
+    const PlaneMirror& mirror = mirrors[number];
     const Vec3 widths = mirror.normal.cwiseAbs();
     const auto is_new = [&](std::uint32_t other) {
-      return own.mirror < other && (pairs.empty() || pairs.back() != std::pair(own.mirror, other)) &&
+      return number < other && (pairs.empty() || pairs.back() != std::pair(number, other)) &&
              perpendicular(mirror, mirrors[other]) && touch(mirror, mirrors[other]);
     };
-    const auto meets = [&](const MirrorBox& box) {
+    const auto meets = [&]<typename Box>(const Box& box) {
+      if constexpr (std::is_same_v<Box, MirrorGroup>) {
+        if (!box.may_be_perpendicular(mirror.normal, Corner::kPerpendicular)) {
+          return false;
+        }
+      }
       return (box.mirror == MirrorBox::kSeveral || is_new(box.mirror)) && box.meets(own.box) &&
              std::abs(mirror.normal.dot(box.middle()) - mirror.offset) <= box.half().dot(widths) + kCrossingReach;
     };
-    tree.visit(meets, [&](const MirrorTree::Item& other) { pairs.emplace_back(own.mirror, other.mirror); });
+    tree.visit(meets, [&](const MirrorTree::Item& other) { pairs.emplace_back(number, other.box.mirror); });
   }
   std::ranges::sort(pairs);
   pairs.erase(std::ranges::unique(pairs).begin(), pairs.end());

@@ -24,21 +24,35 @@ struct MirrorBox {
   [[nodiscard]] Vec3 half() const { return 0.5 * (high.cast<double>() - low.cast<double>()); }
 };
 
+/// A box around triangles of any mirrors, and bounds of the components of their normals.
+struct MirrorGroup : MirrorBox {
+  Vec3f normal_low, normal_high;
+
+  /// Whether the cosine between a unit vector and one of the normals may be within +-most.
+  [[nodiscard]] bool may_be_perpendicular(const Vec3& unit, double most) const {
+    constexpr double kRounding = 1e-5;
+    const Eigen::Array3d a = unit.array() * normal_low.cast<double>().array(),
+                         b = unit.array() * normal_high.cast<double>().array();
+    return a.min(b).sum() <= most + kRounding && a.max(b).sum() >= -most - kRounding;
+  }
+};
+
 /// Boxes around the triangles of mirrors, halved again and again by their middles.
 class MirrorTree {
  public:
   struct Item {
     MirrorBox box;  ///< Around the triangle, enlarged.
-    std::uint32_t mirror, triangle;
+    std::uint32_t triangle;
   };
 
   /// @param margin  Triangles are enlarged by it on each side in their plane, see PlaneMirror::contains() [m].
   /// @param reach   Boxes are enlarged by it besides [m].
-  MirrorTree(std::span<const PlaneMirror> mirrors, double margin, double reach);
+  MirrorTree(std::span<const PlaneMirror> mirrors, double margin, double reach, Workers& workers);
 
   [[nodiscard]] std::span<const Item> items() const { return items_; }
 
-  /// Calls visit(item) for the items for whose box and all boxes around it meets(box) is true.
+  /// Calls visit(item) for the items for whose box and all groups around it meets(MirrorBox) and meets(MirrorGroup) are
+  /// true.
   template <typename Meets, typename Visit>
   void visit(const Meets& meets, const Visit& visit) const {
     if (!nodes_.empty()) {
@@ -48,11 +62,14 @@ class MirrorTree {
 
  private:
   struct Node {
-    MirrorBox box;
+    MirrorGroup box;
     std::uint32_t first, last;  // Its items.
     std::uint32_t second;       // Its second child; the first follows it. 0: none.
   };
-  void divide(std::uint32_t first, std::uint32_t last);
+  void add_items(std::span<const PlaneMirror> mirrors, double margin, double reach, Workers& workers);
+  void split(std::uint32_t number);
+  void divide(std::span<const PlaneMirror> mirrors, std::uint32_t number);
+  void join_children(std::uint32_t number);
 
   template <typename Meets, typename Visit>
   void descend(std::uint32_t number, const Meets& meets, const Visit& visit) const {

@@ -3,7 +3,6 @@
 #include "echo/targets/plane_mirrors.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <tuple>
@@ -100,6 +99,13 @@ PlacedTriangle placed(const Scene& scene, const FlatTriangle& one, bool in_world
   return placed;
 }
 
+// Keys of the cells of a PlaneTable in which the plane of a triangle may be.
+struct PlaneKeys {
+  std::array<std::uint64_t, 16> near;
+  std::size_t count = 0;
+  std::uint64_t own = 0;  // Of the cell that has it itself.
+};
+
 // Planes in a hash table by normal and offset, which finds those within the tolerances.
 class PlaneTable {
  public:
@@ -110,16 +116,37 @@ class PlaneTable {
     std::uint32_t next, triangles;  // The plane that was added before at the same head; number of triangles.
   };
 
-  explicit PlaneTable(std::size_t most) : heads_(std::bit_ceil(most + 1), kNone) {}
+  [[nodiscard]] static PlaneKeys keys_of(const PlacedTriangle& one) {
+    const std::array<double, 4> place = place_of(one.normal, one.normal.dot(one.triangle.corners[0]));
+    PlaneKeys keys;
+    keys.own = key_of(place);
+    for (int choice = 0; choice < 16; ++choice) {
+      std::array<double, 4> near = place;
+      bool is_new = true;
+      for (int k = 0; k < 4; ++k) {
+        near[k] += (choice >> k & 1) == 0 ? -kNear : kNear;
+        is_new = is_new && ((choice >> k & 1) == 0 || std::floor(near[k]) != std::floor(place[k] - kNear));
+      }
+      if (is_new) {
+        keys.near[keys.count++] = key_of(near);
+      }
+    }
+    return keys;
+  }
 
   // Adds a triangle to the plane in which it lies, or to a new one; returns the plane's number.
-  std::uint32_t add(const PlacedTriangle& one, float area) {
-    std::uint32_t plane = find(one);
+  std::uint32_t add(const PlacedTriangle& one, const PlaneKeys& keys, float area) {
+    std::uint32_t plane = find(one, keys);
     if (plane == kNone) {
       plane = static_cast<std::uint32_t>(planes_.size());
-      const double offset = one.normal.dot(one.triangle.corners[0]);
-      const std::uint64_t key = key_of(place_of(one.normal, offset));
-      planes_.push_back({one.normal, offset, 0, key, std::exchange(head_of(key), plane), 0});
+      planes_.push_back({one.normal, one.normal.dot(one.triangle.corners[0]), 0, keys.own, kNone, 0});
+      if (planes_.size() > heads_.size()) {
+        heads_.assign(2 * heads_.size(), kNone);
+        for (std::uint32_t i = 0; i < plane; ++i) {
+          link(i);
+        }
+      }
+      link(plane);
     }
     planes_[plane].area += double{area};
     ++planes_[plane].triangles;
@@ -132,27 +159,18 @@ class PlaneTable {
   // Width of a cell in tolerances, and its inverse.
   static constexpr double kWide = 8, kNear = 1 / kWide;
 
-  [[nodiscard]] std::uint32_t find(const PlacedTriangle& one) {
-    const std::array<double, 4> place = place_of(one.normal, one.normal.dot(one.triangle.corners[0]));
-    for (int choice = 0; choice < 16; ++choice) {
-      std::array<double, 4> near = place;
-      bool is_new = true;
-      for (int k = 0; k < 4; ++k) {
-        near[k] += (choice >> k & 1) == 0 ? -kNear : kNear;
-        is_new = is_new && ((choice >> k & 1) == 0 || std::floor(near[k]) != std::floor(place[k] - kNear));
-      }
-      if (!is_new) {
-        continue;
-      }
-      const std::uint64_t key = key_of(near);
-      for (std::uint32_t i = head_of(key); i != kNone; i = planes_[i].next) {
-        if (planes_[i].key == key && holds(planes_[i], one)) {
+  [[nodiscard]] std::uint32_t find(const PlacedTriangle& one, const PlaneKeys& keys) {
+    for (std::size_t k = 0; k < keys.count; ++k) {
+      for (std::uint32_t i = head_of(keys.near[k]); i != kNone; i = planes_[i].next) {
+        if (planes_[i].key == keys.near[k] && holds(planes_[i], one)) {
           return i;
         }
       }
     }
     return kNone;
   }
+
+  void link(std::uint32_t plane) { planes_[plane].next = std::exchange(head_of(planes_[plane].key), plane); }
 
   static bool holds(const Plane& plane, const PlacedTriangle& one) {
     const bool flush = std::ranges::all_of(one.triangle.corners, [&](const Vec3& corner) {
@@ -177,9 +195,45 @@ class PlaneTable {
     return heads_[(key ^ key >> 32) * 0x9e3779b97f4a7c15U >> 32 & (heads_.size() - 1)];
   }
 
-  std::vector<std::uint32_t> heads_;
+  std::vector<std::uint32_t> heads_ = std::vector<std::uint32_t>(1 << 10, kNone);  // As many as planes, or more.
   std::vector<Plane> planes_;
 };
+
+// Prepares make(i) on all threads for those numbers below `count` for which wanted(i), and calls use(i, made) in order.
+template <typename Made, typename Wanted, typename Make, typename Use>
+void prepare(std::size_t count, Workers& workers, const Wanted& wanted, const Make& make, const Use& use) {
+  constexpr std::size_t kTogether = 1 << 13, kTask = 1 << 9;
+  std::vector<Made> made(std::min(count, kTogether));
+  for (std::size_t start = 0; start < count; start += kTogether) {
+    const std::size_t some = std::min(kTogether, count - start);
+    for_each_block(workers, some, kTask, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        if (wanted(start + i)) {
+          made[i] = make(start + i);
+        }
+      }
+    });
+    for (std::size_t i = 0; i < some; ++i) {
+      if (wanted(start + i)) {
+        use(start + i, made[i]);
+      }
+    }
+  }
+}
+
+// [flat triangle] Number of its plane. A plane takes the normal of its first triangle.
+std::vector<std::uint32_t> planes_of(const Scene& scene, const std::vector<FlatTriangle>& flat, bool in_world,
+                                     Workers& workers, PlaneTable& table) {
+  std::vector<std::uint32_t> plane_of(flat.size());
+  const auto make = [&](std::size_t i) {
+    const PlacedTriangle one = placed(scene, flat[i], in_world);
+    return std::pair(one, PlaneTable::keys_of(one));
+  };
+  prepare<std::pair<PlacedTriangle, PlaneKeys>>(
+      flat.size(), workers, [](std::size_t) { return true; }, make,
+      [&](std::size_t i, const auto& one) { plane_of[i] = table.add(one.first, one.second, flat[i].area); });
+  return plane_of;
+}
 
 // The planes that become mirrors, largest first.
 std::vector<std::uint32_t> largest(const std::vector<PlaneTable::Plane>& planes) {
@@ -207,6 +261,17 @@ bool PlaneMirror::contains(const Triangle& triangle, const Vec3& point, double m
   return true;
 }
 
+void PlaneMirror::add(const Triangle& triangle) {
+  if (triangles.empty()) {
+    low = high = triangle.corners[0];
+  }
+  for (const Vec3& corner : triangle.corners) {
+    low = low.cwiseMin(corner);
+    high = high.cwiseMax(corner);
+  }
+  triangles.push_back(triangle);
+}
+
 const PlaneMirror::Triangle* PlaneMirror::triangle_at(const Vec3& point, double margin) const {
   const auto found =
       std::ranges::find_if(triangles, [&](const Triangle& triangle) { return contains(triangle, point, margin); });
@@ -222,12 +287,8 @@ std::vector<PlaneMirror> find_plane_mirrors(const Scene& scene, int instance, Wo
   parallel_sort(workers, flat, [](const FlatTriangle& a, const FlatTriangle& b) {
     return std::tuple(-a.area, a.instance, a.triangle) < std::tuple(-b.area, b.instance, b.triangle);
   });
-  PlaneTable table(flat.size());
-  std::vector<std::uint32_t> plane_of;  // [flat triangle]
-  plane_of.reserve(flat.size());
-  for (const FlatTriangle& one : flat) {
-    plane_of.push_back(table.add(placed(scene, one, instance < 0), one.area));
-  }
+  PlaneTable table;
+  const std::vector<std::uint32_t> plane_of = planes_of(scene, flat, instance < 0, workers, table);
   const std::vector<PlaneTable::Plane>& planes = table.planes();
   const std::vector<std::uint32_t> chosen = largest(planes);
   std::vector<std::uint32_t> mirror_of(planes.size(), kNone);
@@ -240,20 +301,10 @@ std::vector<PlaneMirror> find_plane_mirrors(const Scene& scene, int instance, Wo
     mirrors[i].area = plane.area;
     mirrors[i].triangles.reserve(plane.triangles);
   }
-  for (std::size_t i = 0; i < flat.size(); ++i) {
-    if (mirror_of[plane_of[i]] != kNone) {
-      PlaneMirror& mirror = mirrors[mirror_of[plane_of[i]]];
-      mirror.triangles.push_back(placed(scene, flat[i], instance < 0).triangle);
-      const auto& corners = mirror.triangles.back().corners;
-      if (mirror.triangles.size() == 1) {
-        mirror.low = mirror.high = corners[0];
-      }
-      for (const Vec3& corner : corners) {
-        mirror.low = mirror.low.cwiseMin(corner);
-        mirror.high = mirror.high.cwiseMax(corner);
-      }
-    }
-  }
+  prepare<PlaneMirror::Triangle>(
+      flat.size(), workers, [&](std::size_t i) { return mirror_of[plane_of[i]] != kNone; },
+      [&](std::size_t i) { return placed(scene, flat[i], instance < 0).triangle; },
+      [&](std::size_t i, const PlaneMirror::Triangle& triangle) { mirrors[mirror_of[plane_of[i]]].add(triangle); });
   return mirrors;
 }
 

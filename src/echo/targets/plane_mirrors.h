@@ -39,6 +39,8 @@ struct PlaneMirror {
   SurfaceLabel water = 0;                        ///< Label of the water's surface.
   std::vector<Triangle> triangles;
 
+  void add(const Triangle& triangle);  ///< Adds a triangle, and extends the bounds.
+
   /// Whether a triangle, enlarged by `margin` [m], contains a point of the plane.
   [[nodiscard]] bool contains(const Triangle& triangle, const Vec3& point, double margin) const;
 

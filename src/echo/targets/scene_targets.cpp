@@ -12,7 +12,7 @@ SceneTargets find_targets(const Scene& scene, const std::optional<WaterMirror>& 
     faster->set_scene(scene);
   }
   Engine& probe = faster ? *faster : engine;
-  ThinParts thin = find_thin_parts(scene, probe);
+  ThinParts thin = find_thin_parts(scene, probe, workers);
   LeftOut left_out = thin.triangles ? *thin.triangles : LeftOut{};
   GlintingFaces faces = find_glinting_faces(scene, left_out, workers);
   cover_faces(scene, probe, faces);

@@ -46,7 +46,7 @@ struct ThinParts {
 };
 
 /// @param engine  Has the scene; its rays measure the thickness.
-[[nodiscard]] ThinParts find_thin_parts(const Scene& scene, Engine& engine);
+[[nodiscard]] ThinParts find_thin_parts(const Scene& scene, Engine& engine, Workers& workers);
 
 /// A triangle of a thin part, with the part's thickness and direction.
 struct ThinTriangle {
@@ -62,7 +62,8 @@ struct ThinTriangle {
 /// of both is the second smallest extent of the body. Where it is kThickest or more, the surface must be round: its
 /// normal turns by a radian or more over the distance to the opposite side (2 on a ball). Surfaces with relief are left
 /// out.
-[[nodiscard]] std::vector<ThinTriangle> find_thin_triangles(const Scene& scene, int instance, Engine& engine);
+[[nodiscard]] std::vector<ThinTriangle> find_thin_triangles(const Scene& scene, int instance, Engine& engine,
+                                                            Workers& workers);
 
 /// Finds smooth connected surfaces without relief that are at most twice as long as they are thick, such as balls and
 /// pebbles. Their thickness is the second smallest side of their bounding box in the mesh frame; also kThickestRound or
