@@ -61,7 +61,8 @@ template <typename Pixel>
 void add_pixels(std::vector<std::uint8_t>& image, const Ping& ping, int bin, const Amplitude& amplitude, double gain,
                 double exponent) {
   // Of 32 bits the largest float below 2^32.
-  constexpr float kMost = sizeof(Pixel) < sizeof(float) ? std::numeric_limits<Pixel>::max() : 4294967040.0F;
+  constexpr float kMost =
+      sizeof(Pixel) < sizeof(float) ? static_cast<float>(std::numeric_limits<Pixel>::max()) : 4294967040.0F;
   const auto factor = static_cast<float>(std::sqrt(gain));
   const auto power = static_cast<float>(exponent);
   for (int beam = 0; beam < ping.beam_count; ++beam) {

@@ -202,10 +202,10 @@ class PlaneTable {
 // Prepares make(i) on all threads for those numbers below `count` for which wanted(i), and calls use(i, made) in order.
 template <typename Made, typename Wanted, typename Make, typename Use>
 void prepare(std::size_t count, Workers& workers, const Wanted& wanted, const Make& make, const Use& use) {
-  constexpr std::size_t kTogether = 1 << 13, kTask = 1 << 9;
-  std::vector<Made> made(std::min(count, kTogether));
-  for (std::size_t start = 0; start < count; start += kTogether) {
-    const std::size_t some = std::min(kTogether, count - start);
+  constexpr std::size_t kMadeTogether = 1 << 13, kTask = 1 << 9;
+  std::vector<Made> made(std::min(count, kMadeTogether));
+  for (std::size_t start = 0; start < count; start += kMadeTogether) {
+    const std::size_t some = std::min(kMadeTogether, count - start);
     for_each_block(workers, some, kTask, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
         if (wanted(start + i)) {

@@ -162,14 +162,15 @@ TEST(SonarMessagesTest, PaperModelIsLinear) {
   EXPECT_NEAR(intensity_of_share(levels, 0.25, 30), 0.25, 1e-12);
 }
 
-TEST(SonarMessagesTest, PointsAreWhereTheStrongestEchoesCameFrom) {
+// In the middle of their beams; the true ones at the elevation of the ground truth.
+void expect_points(MessageKind kind, double truth) {
   // Half of six cells: raised, +5 (30 m, starboard), -40 (10 m, ahead), -70 (10 m, port).
   SonarMessages messages(source_of(fan()), {.strong_share = 0.5});
   Ping ping = ping_of(fan(), kLevels);
   const float none = std::numeric_limits<float>::quiet_NaN();
   ping.elevation = {none, -0.1F, none, none, none, 0.2F};
   messages.take(ping);
-  CdrRead in = encoded(messages, MessageKind::kPoints);
+  CdrRead in = encoded(messages, kind);
   EXPECT_EQ(in.header(), std::tuple(12, 250'000'000U, "fls_2"));
   EXPECT_EQ(in.number<std::uint32_t>(), 1);
   ASSERT_EQ(in.number<std::uint32_t>(), 3);
@@ -193,10 +194,15 @@ TEST(SonarMessagesTest, PointsAreWhereTheStrongestEchoesCameFrom) {
     EXPECT_NEAR(in.number<float>(), level, 1e-4);
   };
   expect_point(10, kQuarter, 0, -100);
-  expect_point(10, 0, -0.1, -70);
-  expect_point(30, -kQuarter, 0.2, 5 - kGainAt30);
+  expect_point(10, 0, truth * -0.1, -70);
+  expect_point(30, -kQuarter, truth * 0.2, 5 - kGainAt30);
   EXPECT_TRUE(in.number<bool>());
   EXPECT_TRUE(in.at_end());
+}
+
+TEST(SonarMessagesTest, PointsAreWhereTheStrongestEchoesCameFrom) {
+  expect_points(MessageKind::kPoints, 0);
+  expect_points(MessageKind::kTruePoints, 1);
 }
 
 TEST(SonarMessagesTest, SilenceHasNoPoints) {
