@@ -27,7 +27,8 @@ ROOMS = {
         "rays": ["laws", "grid", "model"],
         "mirror": ["laws", "grid", "model"],
         "batch": ["laws", "grid", "model", "."],
-        "targets": ["laws", "grid", "model", "mirror", "batch", "."],
+        "thin": ["laws", "grid", "model", "batch", "."],
+        "targets": ["laws", "grid", "model", "mirror", "batch", "thin", "."],
         "walks": ["laws", "grid", "model", "batch"],
         "*": ["laws", "grid", "model", "rays", "mirror", "batch", "."],  # Engines, each a room.
     },

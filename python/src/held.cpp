@@ -101,7 +101,7 @@ py::object as_held(py::handle object, const std::string& name, const HeldClass& 
     throw_within(name, error.object(), error.field(), error.what());
   } catch (const py::type_error& error) {
     throw Error(name + ": " + error.what());
-  } catch (const py::error_already_set& error) {  // Of setting a field.
+  } catch (const py::error_already_set& error) {  // Thrown by the setter of a field.
     const py::object raised = error.value();
     const auto text_of = [&](const char* member) {
       return py::getattr(raised, member, py::str("")).cast<std::string>();

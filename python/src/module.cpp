@@ -70,7 +70,7 @@ void bind_error(py::module_& module) {
 Log warnings_log() {
   return [](Severity severity, const std::string& message) {
     const Locked locked;
-    // Of the caller's line: insonify/_calls.py calls what it called.
+    // With the line of the caller, one frame up: insonify/_calls.py calls what the caller has called.
     if (severity == Severity::kWarning && PyErr_WarnEx(warning_class.ptr(), message.c_str(), 2) != 0) {
       throw py::error_already_set();  // If warnings are errors.
     }

@@ -11,7 +11,7 @@ namespace insonify::python {
 namespace {
 
 bool is_near(double one, double other) {
-  constexpr double kRounding = 1e-6;  // Of settings that were written to a file as text.
+  constexpr double kRounding = 1e-6;  // Relative error of settings that were written to a file as text.
   return std::abs(one - other) <= kRounding * std::abs(other);
 }
 

@@ -12,7 +12,7 @@
 #include "echo/targets/interference.h"
 #include "echo/targets/point_echoes.h"
 #include "echo/targets/point_ghosts.h"
-#include "echo/targets/thin_echoes.h"
+#include "echo/thin/thin_echoes.h"
 #include "echo/walks/random_walks.h"
 #include "insonify/thruster.h"
 

@@ -1,6 +1,6 @@
 // thin_parts_test.cpp -- what counts as thin, and that the pieces have the surface of what they are cut from.
 
-#include "echo/targets/thin_parts.h"
+#include "echo/thin/thin_parts.h"
 
 #include <gtest/gtest.h>
 

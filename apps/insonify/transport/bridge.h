@@ -85,7 +85,7 @@ class Bridge : private LiveListener {
   std::mutex mutex_;
   std::condition_variable changed_;
   std::multimap<double, std::shared_ptr<const LivePing>> waiting_;  // By when they are due, see now().
-  double clock_ = 0;                                                // Of LiveLoop::advance() [s].
+  double clock_ = 0;                                                // Last time passed to LiveLoop::advance() [s].
   std::shared_ptr<const LiveWorld> opened_;                         // To be opened, before its first ping arrives.
   std::map<std::size_t, double> gains_db_;                          // By sonar.
   bool gains_changed_ = false;

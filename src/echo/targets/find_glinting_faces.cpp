@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "echo/mirror/faces.h"
-#include "echo/targets/alike.h"
+#include "scene/alike.h"
 #include "echo/targets/face_glints.h"
 
 namespace insonify {

@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <numbers>
 
-#include "echo/targets/alike.h"
+#include "scene/alike.h"
 #include "echo/targets/mesh_edges.h"
 #include "echo/targets/straight_edges.h"
 

@@ -118,7 +118,7 @@ void join_close(const MeshFaces& faces, std::vector<FaceEdge>& edges) {
     const Vec3 cell = (place / kCell + off).array().floor();
     return std::array{cell.x(), cell.y(), cell.z()};
   };
-  std::map<std::array<double, 3>, std::vector<std::uint32_t>> cells;  // Of edges that have found none yet.
+  std::map<std::array<double, 3>, std::vector<std::uint32_t>> cells;  // [cell] Edges that have found no other yet.
   std::vector<std::uint8_t> gone(edges.size(), 0);
   for (std::uint32_t i = 0; i < edges.size(); ++i) {
     if (!is_narrow(edges[i].face[0]) && !is_narrow(edges[i].face[1])) {

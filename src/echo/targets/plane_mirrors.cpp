@@ -10,7 +10,7 @@
 
 #include "base/parallel_blocks.h"
 #include "echo/mirror/faces.h"
-#include "echo/targets/alike.h"
+#include "scene/alike.h"
 
 namespace insonify {
 namespace {
@@ -103,7 +103,7 @@ PlacedTriangle placed(const Scene& scene, const FlatTriangle& one, bool in_world
 struct PlaneKeys {
   std::array<std::uint64_t, 16> near;
   std::size_t count = 0;
-  std::uint64_t own = 0;  // Of the cell that has it itself.
+  std::uint64_t own = 0;  // Key of the cell that the plane itself lies in.
 };
 
 // Planes in a hash table by normal and offset, which finds those within the tolerances.

@@ -11,7 +11,7 @@
 #include "echo/targets/face_glints.h"
 #include "echo/targets/plane_mirrors.h"
 #include "echo/targets/straight_edges.h"
-#include "echo/targets/thin_parts.h"
+#include "echo/thin/thin_parts.h"
 
 namespace insonify {
 

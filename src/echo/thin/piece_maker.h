@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "echo/targets/thin_parts.h"
+#include "echo/thin/thin_parts.h"
 
 namespace insonify {
 

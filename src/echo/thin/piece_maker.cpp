@@ -1,6 +1,6 @@
 // piece_maker.cpp -- sorts the surface of a piece by its normals.
 
-#include "echo/targets/piece_maker.h"
+#include "echo/thin/piece_maker.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

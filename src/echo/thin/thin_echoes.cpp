@@ -1,6 +1,6 @@
 // thin_echoes.cpp -- asks which parts of thin pieces are visible, and integrates the scattering law over them.
 
-#include "echo/targets/thin_echoes.h"
+#include "echo/thin/thin_echoes.h"
 
 #include <algorithm>
 #include <cmath>

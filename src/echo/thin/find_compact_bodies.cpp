@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "echo/targets/thin_parts.h"
+#include "echo/thin/thin_parts.h"
 
 namespace insonify {
 namespace {

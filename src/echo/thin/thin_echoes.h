@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "echo/batch/echo_source.h"
-#include "echo/targets/thin_parts.h"
+#include "echo/thin/thin_parts.h"
 
 namespace insonify {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <map>
 
-#include "echo/targets/piece_maker.h"
-#include "echo/targets/thin_parts.h"
+#include "echo/thin/piece_maker.h"
+#include "echo/thin/thin_parts.h"
 
 namespace insonify {
 namespace {

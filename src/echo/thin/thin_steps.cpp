@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "echo/targets/thin_echoes.h"
+#include "echo/thin/thin_echoes.h"
 
 namespace insonify {
 namespace {

@@ -1,6 +1,6 @@
 // alike.cpp -- sorts instances by mesh, materials and reliefs.
 
-#include "echo/targets/alike.h"
+#include "scene/alike.h"
 
 #include <set>
 #include <tuple>
