@@ -78,8 +78,7 @@ void Hub::on_note(const std::string& text) {
 void Hub::on_recorded(const LiveRecording& recording) {
   std::string text = recorded_text(recording);
   if (recording.pings > 0) {
-    const std::string markers = markers_.write_beside(recording.scenario);
-    text += markers.empty() ? "" : fmt::format("; markers: {}", markers);
+    text += markers_.write_beside(recording.scenario);
   }
   if (!quiet_) {
     say("{}\n", text);

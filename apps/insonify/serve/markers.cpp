@@ -76,7 +76,9 @@ std::string Markers::write_beside(const std::filesystem::path& scenario) const {
                   {"note", "metres in the world: x, y, z up; not longitude and latitude"},
                   {"features", features}})
        << '\n';
-  return file.flush() ? path.filename().string() : "";
+  file.close();
+  const std::string name = path.filename().string();
+  return file ? fmt::format("; markers: {}", name) : fmt::format("; markers could not be written to {}", name);
 }
 
 }  // namespace insonify

@@ -24,7 +24,7 @@ class Markers {
 
   /// Writes them as GeoJSON, in metres of the world, beside a recording: dive-markers.geojson for dive.yaml. Nothing
   /// without markers.
-  /// @return  Name of the file, "" if none was written.
+  /// @return  What to add to the note on the recording, "" without markers.
   [[nodiscard]] std::string write_beside(const std::filesystem::path& scenario) const;
 
  private:

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "echo/mirror/faces.h"
-#include "scene/alike.h"
 #include "echo/targets/face_glints.h"
+#include "scene/alike.h"
 
 namespace insonify {
 namespace {

@@ -5,9 +5,9 @@
 #include <initializer_list>
 #include <numbers>
 
-#include "scene/alike.h"
 #include "echo/targets/mesh_edges.h"
 #include "echo/targets/straight_edges.h"
+#include "scene/alike.h"
 
 namespace insonify {
 namespace {
