@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "support/test_engine.h"
 
@@ -28,6 +30,30 @@ ThinParts parts_of(const Scene& scene) {
   engine->set_scene(scene);
   Workers workers(2);
   return find_thin_parts(scene, engine->engine(), workers);
+}
+
+std::vector<ThinTriangle> triangles_of(const Scene& scene) {
+  const std::unique_ptr<TestEngine> engine = test_engine("cpu", 2);
+  engine->set_scene(scene);
+  Workers workers(2);
+  return find_thin_triangles(scene, 0, engine->engine(), workers);
+}
+
+// Adds another mesh, moved, and with its inside out.
+void append(const Mesh& other, const Vec3f& offset, bool inside_out, Mesh& mesh) {
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  for (std::size_t i = 0; i < other.vertices.size(); ++i) {
+    mesh.vertices.emplace_back(other.vertices[i] + offset);
+    mesh.normals.emplace_back((inside_out ? -1 : 1) * other.normals[i]);
+  }
+  for (const auto& [a, b, c] : other.triangles) {
+    mesh.triangles.push_back({first + a, first + (inside_out ? c : b), first + (inside_out ? b : c)});
+  }
+}
+
+// Whether a triangle of a shape around the z axis is a side of it, not an end.
+bool is_side(const Mesh& mesh, std::uint32_t triangle) {
+  return std::abs(mesh.normals[mesh.triangles[triangle][0]].z()) < 0.5F;
 }
 
 double area_of(const ThinParts& parts) {
@@ -58,6 +84,39 @@ TEST(ThinPartsTest, ARoundBodyIsOnePiece) {
     EXPECT_NEAR(parts.pieces[0].middle.norm(), 0, 1e-3);
     EXPECT_NEAR(parts.pieces[0].thickness / (2 * radius), 1.09, 0.1);  // Rounded up to fourths of an octave.
   }
+}
+
+// More triangles than are measured together, behind some that are too wide for sides of thin parts.
+TEST(ThinPartsTest, ARodOfManyTrianglesIsThinAllOver) {
+  Mesh mesh = make_box({1, 1, 1});
+  const auto first = static_cast<std::uint32_t>(mesh.triangles.size());
+  append(make_cylinder(0.02, 2, 0.003), {5, 0, 0}, false, mesh);
+  ASSERT_GT(mesh.triangles.size(), 8000U);
+  const Scene scene = scene_of(mesh);
+  std::vector<int> found(mesh.triangles.size());
+  for (const ThinTriangle& triangle : triangles_of(scene)) {
+    ++found[triangle.triangle];
+    EXPECT_NEAR(triangle.thickness, 0.04, 0.004);  // Across in one of eight directions, or the next one.
+  }
+  for (std::uint32_t t = first; t < mesh.triangles.size(); ++t) {
+    ASSERT_EQ(found[t], is_side(mesh, t) ? 1 : 0) << t;
+  }
+}
+
+// A can of 0.4 m with walls of 10 mm, closed: what is thin is the wall, as wide as a chord within it, not the can.
+TEST(ThinPartsTest, TheWallOfACanIsMeasuredNotTheCan) {
+  Mesh can = make_cylinder(0.2, 1, 0.1);
+  const auto outside = static_cast<std::uint32_t>(can.triangles.size());
+  append(make_cylinder(0.19, 0.98, 0.1), {0, 0, 0}, true, can);
+  const double chord = 2 * std::sqrt(0.2 * 0.2 - 0.195 * 0.195);
+  int walls = 0;
+  for (const ThinTriangle& triangle : triangles_of(scene_of(can))) {
+    if (triangle.triangle < outside && is_side(can, triangle.triangle)) {
+      EXPECT_NEAR(triangle.thickness, chord, 0.1 * chord);
+      ++walls;
+    }
+  }
+  EXPECT_GT(walls, 100);
 }
 
 // What is not convex is not one piece: its parts may hide each other. Every second corner of a ball is pushed in.
