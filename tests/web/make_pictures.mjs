@@ -97,7 +97,7 @@ async function makeGif() {
   await view.end();
   const file = path.join(kImages, "viewer.gif");
   // Speckle does not compress: fewer pictures a second, pixels and colours keep the file below a megabyte.
-  const filter = "fps=4,scale=640:-1:flags=area,split[a][b];[a]palettegen=max_colors=24:stats_mode=full[p];[b][p]paletteuse=dither=none:diff_mode=rectangle";
+  const filter = "fps=4,scale=640:-1:flags=area,split[a][b];[a]palettegen=max_colors=20:stats_mode=full[p];[b][p]paletteuse=dither=none:diff_mode=rectangle";
   execFileSync("ffmpeg", ["-y", "-loglevel", "error", "-framerate", "6", "-i", path.join(scratch, "frame_%03d.png"), "-filter_complex", filter, "-loop", "0", file]);
   console.log(`${file}: ${(statSync(file).size / 1e6).toFixed(2)} MB`);
 }
