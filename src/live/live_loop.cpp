@@ -66,12 +66,12 @@ void LiveLoop::start(LiveListener& listener) {
 void LiveLoop::end() {
   State& state = *state_;
   std::vector<LiveChange> undone;
-  std::vector<Done> unanswered;
+  std::vector<State::Stop> stops;
   {
     const State::Lock lock(state.mutex);
     state.ending = true;
     undone = std::exchange(state.wishes, {});
-    unanswered = std::exchange(state.stop_recording, {});
+    stops = std::exchange(state.stop_recording, {});
     state.wake.notify_all();
     state.changed.notify_all();
   }
@@ -83,9 +83,9 @@ void LiveLoop::end() {
     undone.insert(undone.end(), state.being_prepared->begin(), state.being_prepared->end());
     state.being_prepared.reset();
   }
-  for (const LiveChange& change : undone) {
-    unanswered.push_back(change.done);
-  }
+  std::vector<Done> unanswered;
+  std::ranges::transform(stops, std::back_inserter(unanswered), &State::Stop::done);
+  std::ranges::transform(undone, std::back_inserter(unanswered), &LiveChange::done);
   for (const Done& done : unanswered) {
     if (done) {
       done("the simulation ends");
@@ -108,7 +108,7 @@ LiveState LiveLoop::state() const {
           .follows = state.run->start().follows,
           .speed = state.speed,
           .recording = state.recording_names,
-          .recorded_pings = state.recorded_pings,
+          .recorded_pings = state.recording_names.empty() ? 0 : state.recorded_pings,
           .recording_error = state.recording_error,
           .pings_made = state.pings_made,
           .pings_since_change = state.run->made_in_all(),
@@ -194,13 +194,28 @@ void LiveLoop::set_material(std::string object, std::string material, Done done)
 }
 
 void LiveLoop::record(const std::filesystem::path& path, Done done, bool replace) {
-  state_->request({.recording = path, .replace = replace, .done = std::move(done)});
+  State& state = *state_;
+  {
+    const State::Lock lock(state.mutex);
+    ++state.recordings_asked;
+  }
+  const auto answer = [&state, done = std::move(done)](const std::string& error) {
+    {
+      const State::Lock lock(state.mutex);
+      ++state.recordings_answered;
+      state.wake.notify_all();
+    }
+    if (done) {
+      done(error);
+    }
+  };
+  state.request({.recording = path, .replace = replace, .done = answer});
 }
 
 void LiveLoop::stop_recording(Done done) {
   State& state = *state_;
   const State::Lock lock(state.mutex);
-  state.stop_recording.push_back(std::move(done));
+  state.stop_recording.push_back({state.recordings_asked, std::move(done)});
   state.wake.notify_all();
 }
 

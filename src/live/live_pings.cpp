@@ -278,12 +278,12 @@ void LiveLoop::State::make_next(Lock& lock) {
 void LiveLoop::State::make_pings() {
   Lock lock(mutex);
   while (!ending) {
-    if (prepared) {
+    if (stops_recording()) {
+      answer_stop_recording(lock);
+    } else if (prepared) {
       take_place(lock);
     } else if (objects_changed) {
       take_objects(lock);
-    } else if (!stop_recording.empty()) {
-      answer_stop_recording(lock);
     } else if ((paused && steps == 0) || waits_for_others()) {
       wake.wait(lock);
     } else if (!paused && !options.clocked && Clock::now() < next_due()) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "live/live_state.h"
@@ -52,16 +53,23 @@ void LiveLoop::State::fail_recording(const std::string& error, Lock& lock) {
   lock.lock();
 }
 
+bool LiveLoop::State::stops_recording() const {
+  return !stop_recording.empty() && stop_recording.front().recording <= recordings_answered;
+}
+
 void LiveLoop::State::answer_stop_recording(Lock& lock) {
-  const std::vector<Done> done = std::exchange(stop_recording, {});
+  const auto later =
+      std::ranges::find_if(stop_recording, [this](const Stop& stop) { return stop.recording > recordings_answered; });
+  const std::vector<Stop> stops(stop_recording.begin(), later);
+  stop_recording.erase(stop_recording.begin(), later);
   const bool is_recording = recorder != nullptr;
   closing_error.clear();
   end_recording(lock);
   const std::string error = is_recording ? closing_error : "nothing is being recorded";
   lock.unlock();
-  for (const Done& answer : done) {
-    if (answer) {
-      answer(error);
+  for (const Stop& stop : stops) {
+    if (stop.done) {
+      stop.done(error);
     }
   }
   lock.lock();

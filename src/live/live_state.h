@@ -49,8 +49,13 @@ struct LiveLoop::State {
   std::optional<std::vector<LiveChange>> being_prepared;
   std::optional<LivePrepared> prepared;  // To apply between two pings.
   bool preparing_now = false;
-  bool taking_helm = false;          // Whether a request to steer is pending.
-  std::vector<Done> stop_recording;  // To answer when the recording has ended.
+  bool taking_helm = false;  // Whether a request to steer is pending.
+  struct Stop {
+    std::uint64_t recording;  // The last that record() was asked for before: it has to begin, or fail, first.
+    Done done;
+  };
+  std::vector<Stop> stop_recording;  // To answer when the recording has ended.
+  std::uint64_t recordings_asked = 0, recordings_answered = 0;
 
   // The simulation.
   LiveSettings settings;
@@ -115,6 +120,7 @@ struct LiveLoop::State {
   void begin_next_recording(Lock& lock);
   void end_recording(Lock& lock);
   void fail_recording(const std::string& error, Lock& lock);
+  [[nodiscard]] bool stops_recording() const;
   void answer_stop_recording(Lock& lock);
   [[nodiscard]] Clock::time_point next_due() const;
   void keep_pace(Clock::time_point due, double time, std::span<const int> sonars);

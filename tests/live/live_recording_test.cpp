@@ -115,6 +115,24 @@ TEST_F(LiveRecordingTest, RecordingsReplaceNothing) {
   EXPECT_EQ(answer_to([&](auto done) { loop->stop_recording(done); }), "nothing is being recorded");
 }
 
+// A recording begins in another thread than the one that ends it.
+TEST_F(LiveRecordingTest, RequestsToRecordAndToStopAreCarriedOutInTheirOrder) {
+  const auto loop = started(scenario_text(), {.threads = 2, .paused = true});
+  std::vector<std::promise<std::string>> answers(4);
+  const auto to = [&](std::size_t i) {
+    return [&answers, i](const std::string& error) { answers[i].set_value(error); };
+  };
+  loop->record("a.h5", to(0));
+  loop->stop_recording(to(1));
+  loop->record("b.mcap", to(2));
+  loop->stop_recording(to(3));
+  for (std::promise<std::string>& answer : answers) {
+    EXPECT_EQ(answer.get_future().get(), "");
+  }
+  EXPECT_EQ(loop->state().recording, "");
+  EXPECT_EQ(keeper_.recordings().size(), 2U);
+}
+
 TEST_F(LiveRecordingTest, AnEndedRecordingIsToldWithFilesPingsAndBytes) {
   const auto loop = started(scenario_text());
   EXPECT_EQ(answer_to([&](auto done) { loop->record("out.h5", done); }), "");
@@ -126,6 +144,7 @@ TEST_F(LiveRecordingTest, AnEndedRecordingIsToldWithFilesPingsAndBytes) {
   EXPECT_EQ(told[0].scenario, "out.yaml");
   EXPECT_GE(told[0].pings, 5U);
   EXPECT_EQ(told[0].bytes, std::filesystem::file_size("out-fls.h5") + std::filesystem::file_size("out-head.h5"));
+  EXPECT_EQ(loop->state().recorded_pings, 0U) << "nothing is being recorded";
 }
 
 TEST_F(LiveRecordingTest, ValuesThatARecordingHasCutAreToldAtItsEnd) {
