@@ -230,7 +230,7 @@ if(INSONIFY_BUILD_APPS)
     set_tests_properties(replay_view PROPERTIES TIMEOUT 120 SKIP_RETURN_CODE 77)
   endif()
   # Emulated instruments as a driver meets them.
-  foreach(test oculus oculus_clients ping360)
+  foreach(test oculus oculus_clients ping360 ping_streamers sonar3d15)
     add_test(NAME emulate_${test}
       COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/apps/${test}_test.py $<TARGET_FILE:insonify_cli>)
     set_tests_properties(emulate_${test} PROPERTIES TIMEOUT 120)

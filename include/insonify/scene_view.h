@@ -40,9 +40,10 @@ struct ViewOptions {
 /// Computes distance and intensity by direction over the sonar's fan, with the engine's rays. For a scanning sonar the
 /// fan is the whole sector that its head sweeps.
 /// @param world_from_sonar  Pose of the housing.
-/// @param columns           Directions across, 1..8192. Rows are spaced by the same angle: at least 16, at most 8192.
-/// @throws Error for columns out of limits.
+/// @param columns           Directions across, 1..8192.
+/// @param rows              Directions along, 1..8192; 0: spaced by the same angle as columns, 16 at least.
+/// @throws Error for columns or rows out of limits.
 [[nodiscard]] Channels look_along_fan(Engine& engine, const SonarConfig& sonar, const Water& water,
-                                      const Pose& world_from_sonar, int columns = 800);
+                                      const Pose& world_from_sonar, int columns = 800, int rows = 0);
 
 }  // namespace insonify

@@ -13,8 +13,9 @@
 namespace insonify {
 
 Channels look_along_fan(Engine& engine, const SonarConfig& sonar, const Water& water, const Pose& world_from_sonar,
-                        int columns) {
+                        int columns, int rows) {
   check_field("channels", {"columns", "", from_to(1, 8192), ""}, columns);
+  check_field("channels", {"rows", "", from_to(0, 8192), ""}, rows);
   const InsonifiedSector sector(sonar, world_from_sonar);
   Channels channels;
   channels.columns = columns;
@@ -23,7 +24,7 @@ Channels look_along_fan(Engine& engine, const SonarConfig& sonar, const Water& w
   channels.lower_edge = sector.low_elevation();
   channels.upper_edge = sector.high_elevation();
   const double shape = (channels.upper_edge - channels.lower_edge) / (channels.port_edge - channels.starboard_edge);
-  channels.rows = static_cast<int>(std::clamp(std::lround(columns * shape), 16L, 8192L));
+  channels.rows = rows > 0 ? rows : static_cast<int>(std::clamp(std::lround(columns * shape), 16L, 8192L));
 
   std::vector<Ray> rays;
   rays.reserve(static_cast<std::size_t>(columns) * channels.rows);

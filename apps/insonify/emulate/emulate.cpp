@@ -11,6 +11,8 @@
 #include "console/validators.h"
 #include "emulate/oculus_server.h"
 #include "emulate/ping360_server.h"
+#include "emulate/sonar3d15_server.h"
+#include "emulate/streaming_server.h"
 
 namespace insonify {
 namespace {
@@ -55,6 +57,35 @@ int emulate_ping360(const EmulateOptions& options) {
   if (options.serial) {
     say("and on the serial line {}\n", server.serial_path());
   }
+  return serve_until_stopped(server, options);
+}
+
+int emulate_streamer(const EmulateOptions& options, const char* instrument, const char* title,
+                     std::unique_ptr<PingStreamer> streamer, bool one_beam) {
+  end_when_asked(IgnoredInterrupt::kEnds);
+  EmulatedSonar sonar(options, Product::kImage, instrument);
+  if (one_beam && sonar.given().beam_count != 1) {
+    throw InputError(fmt::format("{} has {} beams; emulate {} needs a sonar with one", printable(sonar.given().name),
+                                 sonar.given().beam_count, instrument));
+  }
+  StreamingServer server(options, sonar, std::move(streamer));
+  say("{} {} on TCP and UDP {}\n", title, sonar.given().name, server.address());
+  return serve_until_stopped(server, options);
+}
+
+int emulate_omniscan450(const EmulateOptions& options) {
+  return emulate_streamer(options, "omniscan450", "Omniscan 450", make_omniscan450(), true);
+}
+
+int emulate_surveyor240(const EmulateOptions& options) {
+  return emulate_streamer(options, "surveyor240", "Surveyor 240-16", make_surveyor240(), false);
+}
+
+int emulate_sonar3d15(const EmulateOptions& options) {
+  end_when_asked(IgnoredInterrupt::kEnds);
+  EmulatedSonar sonar(options, Product::kImage, "sonar3d15");
+  Sonar3d15Server server(options, sonar);
+  say("Sonar 3D-15 {} to UDP {}: 256 x 64, {:.3g} Hz\n", sonar.given().name, server.destination(), server.rate());
   return serve_until_stopped(server, options);
 }
 
@@ -105,6 +136,28 @@ void add_emulate(const Command& program) {
       "clients that search for it by broadcast (UDP port 30303) find it. Ctrl-C ends it; SIGUSR1 prints rate and\n"
       "latency.\n\n"
       "Example:\n  insonify emulate ping360 scan.yaml --port 9092");
+
+  const Command omniscan = emulate.add("omniscan450", "Cerulean Omniscan 450: profiles over TCP and UDP");
+  add_instrument(omniscan, 51200, emulate_omniscan450);
+  omniscan.footer(
+      "A sonar with one beam, that looks to a side. It pings once os_ping_params asks it to. Ctrl-C ends it; SIGUSR1\n"
+      "prints rate and latency.\n\n"
+      "Example:\n  insonify emulate omniscan450 survey.yaml --sonar port");
+
+  const Command surveyor = emulate.add("surveyor240", "Cerulean Surveyor 240-16: soundings over TCP and UDP");
+  add_instrument(surveyor, 62312, emulate_surveyor240);
+  surveyor.footer(
+      "A fan that looks down. It pings once set_ping_parameters asks it to. Ctrl-C ends it; SIGUSR1 prints rate and\n"
+      "latency.\n\n"
+      "Example:\n  insonify emulate surveyor240 survey.yaml");
+
+  const Command eye = emulate.add("sonar3d15", "Water Linked Sonar 3D-15: range images by UDP");
+  EmulateOptions& eye_options = add_instrument(eye, 4747, emulate_sonar3d15);
+  eye.option("--to", "IP", &eye_options.destination, "Multicast group, or address, to send to [224.0.0.96]");
+  eye.footer(
+      "--port is that of the listeners, --address that of the network interface. It sends without being asked: the\n"
+      "instrument's settings over HTTP are not emulated. Ctrl-C ends it; SIGUSR1 prints rate and latency.\n\n"
+      "Example:\n  insonify emulate sonar3d15 dive.yaml");
 }
 
 }  // namespace insonify

@@ -9,6 +9,7 @@
 #include "console/stop.h"
 #include "insonify/files.h"
 #include "insonify/printable.h"
+#include "insonify/scene_view.h"
 
 namespace insonify {
 namespace {
@@ -70,6 +71,16 @@ EmulatedSonar::EmulatedSonar(const EmulateOptions& options, Product product, std
 
 MessageLevels EmulatedSonar::levels() const {
   return SonarMessages(message_source(scenario_, config())).levels();
+}
+
+Channels EmulatedSonar::look(const SonarConfig& fan, int columns, int rows) {
+  const WallClock::time_point begin = WallClock::now();
+  const PingRequest request = requests_.at(index_, number_++, time_at(begin));
+  simulator_.place(index_, request);
+  Channels seen = look_along_fan(simulator_.engine(), fan, scenario_.water_at(fan),
+                                 simulator_.world_from_housing(index_, request), columns, rows);
+  computing_time_ = std::chrono::duration<double>(WallClock::now() - begin).count();
+  return seen;
 }
 
 const Ping& EmulatedSonar::ping(std::optional<double> head_angle) {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "emulate/emulate.h"
+#include "insonify/channels.h"
 #include "insonify/messages.h"
 #include "insonify/scenario_requests.h"
 #include "insonify/simulator.h"
@@ -39,12 +40,15 @@ class EmulatedSonar {
   /// @return  Valid until the next call. @throws Error as Simulator::ping(); Interrupted at SIGINT.
   const Ping& ping(std::optional<double> head_angle = {});
 
+  /// Looks along a fan from the vehicle's current place, as look_along_fan(), without sound.
+  [[nodiscard]] Channels look(const SonarConfig& fan, int columns, int rows);
+
   /// Time on the trajectory: time since the start [s].
   [[nodiscard]] double time_at(WallClock::time_point time) const {
     return std::chrono::duration<double>(time - start_).count();
   }
 
-  /// Computing time of the last ping [s].
+  /// Computing time of the last ping or look [s].
   [[nodiscard]] double computing_time() const { return computing_time_; }
 
  private:
