@@ -124,6 +124,40 @@ function checkImage(image) {
   assert.ok(Math.abs(Math.atan2(-y, z) * 180 / Math.PI - 20) < 1.5, "azimuth");
 }
 
+// Pause, speed and range are read, set and told; the time is that of the pings.
+async function checkParametersAndTime(address) {
+  const client = new protocol.FoxgloveClient({ws: new WebSocket(address, ["foxglove.sdk.v1"])});
+  const answers = new Map(), told = new Map(), statuses = [], times = [];
+  client.on("parameterValues", ({parameters, id}) => {
+    for (const {name, value} of parameters) {
+      told.set(name, value);
+    }
+    answers.set(id, parameters);
+  });
+  client.on("status", ({message}) => statuses.push(message));
+  client.on("time", ({timestamp}) => times.push(timestamp));
+  await new Promise((resolve) => client.on("open", resolve));
+  await until("a time", () => times.length > 2);
+  assert.ok(Math.abs(Number(times[0] / 1000000n) - Date.now()) < 60000);
+  client.getParameters(["/fls/max_range", "/speed"], "both");
+  await until("two parameters", () => answers.has("both"));
+  assert.deepEqual(answers.get("both"), [{name: "/speed", value: 1, type: "float64"},
+    {name: "/fls/max_range", value: 10, type: "float64"}]);
+  client.subscribeParameterUpdates([]);
+  await until("all parameters", () => told.has("/side/max_range"));
+  client.setParameters([{name: "/fls/max_range", value: 6.5}], "range");
+  await until("the range", () => told.get("/fls/max_range") === 6.5 && answers.has("range"));
+  client.setParameters([{name: "/paused", value: true}], "pause");
+  await until("the pause", () => told.get("/paused") === true);
+  client.setParameters([{name: "/paused", value: false}, {name: "/fls/max_range", value: 10}], "back");
+  await until("the range as before", () => told.get("/fls/max_range") === 10 && told.get("/paused") === false);
+  client.setParameters([{name: "/fls/max_range", value: -1}], "wrong");
+  await until("a refusal", () => statuses.some((text) => text.includes("max_range")));
+  client.setParameters([{name: "/deep", value: 1}], "unknown");
+  await until("another", () => statuses.includes("there is no parameter /deep"));
+  client.close();
+}
+
 try {
   const address = (await until("the address", () => /http:\S+/.exec(said)))[0].replace("http", "ws");
   for (const name of ["foxglove.sdk.v1", "foxglove.websocket.v1"]) {
@@ -141,6 +175,8 @@ try {
     const frames = messages.get("/tf").flatMap(({message}) => message.transforms.map((one) => one.child_frame_id));
     assert.ok(frames.includes("fls") && frames.includes("side"), `frames: ${[...new Set(frames)]}`);
   }
+
+  await checkParametersAndTime(address);
 
   // While nothing is made, subscriptions to every channel in one message get the last ping of each sonar: a message on
   // each topic of a sonar, one of each sonar on /tf, and the scenario once. A client that was there gets none again.

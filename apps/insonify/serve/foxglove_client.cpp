@@ -12,6 +12,7 @@
 #include "insonify/error.h"
 #include "insonify/printable.h"
 #include "insonify/version.h"
+#include "serve/foxglove_parameters.h"
 #include "serve/json_messages.h"
 
 namespace insonify {
@@ -49,10 +50,30 @@ std::string foxglove_text(const nlohmann::json& json) {
 std::string server_info_text() {
   return foxglove_text({{"op", "serverInfo"},
                         {"name", fmt::format("insonify {}", kVersion)},
-                        {"capabilities", nlohmann::json::array()},
+                        {"capabilities", {"time", "parameters", "parametersSubscribe"}},
                         {"supportedEncodings", nlohmann::json::array()},
                         {"metadata", nlohmann::json::object()},
                         {"sessionId", fmt::format("{}", std::chrono::system_clock::now().time_since_epoch().count())}});
+}
+
+std::vector<std::string> names_in(const nlohmann::json& message, const char* key) {
+  std::vector<std::string> names;
+  for (const nlohmann::json& name : list_of(message, key)) {
+    if (!name.is_string()) {
+      throw Error(fmt::format("{} must be texts", key));
+    }
+    names.push_back(name.get<std::string>());
+  }
+  return names;
+}
+
+// @param id  Of the request; null: none.
+std::string parameters_text(nlohmann::json parameters, const nlohmann::json& id) {
+  nlohmann::json text = {{"op", "parameterValues"}, {"parameters", std::move(parameters)}};
+  if (id.is_string()) {
+    text["id"] = id;
+  }
+  return foxglove_text(text);
 }
 
 std::string status_text(FoxgloveStatus level, const std::string& text) {
@@ -110,9 +131,73 @@ void FoxgloveClient::on_text(std::string_view text) {
     for (const nlohmann::json& one : list_of(message, "subscriptionIds")) {
       subscriptions_.erase(id_of(one, "subscriptionIds"));
     }
-  } else {
+  } else if (!carry_out(op, message)) {
     send_status(FoxgloveStatus::kWarning, fmt::format("{} is not supported", printable(op)));
   }
+}
+
+// Carries out an op about parameters. @return  False for another.
+bool FoxgloveClient::carry_out(const std::string& op, const nlohmann::json& message) {
+  if (op == "getParameters") {
+    send_text(parameters_text(foxglove_parameters(feed_.hub_, names_in(message, "parameterNames")),
+                              message.value("id", nlohmann::json())));
+  } else if (op == "setParameters") {
+    set_parameters(message);
+  } else if (op == "subscribeParameterUpdates") {
+    watched_ = names_in(message, "parameterNames");
+    sent_parameters_.clear();
+    send_changed_parameters();
+  } else if (op == "unsubscribeParameterUpdates") {
+    watched_.reset();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+// Answers are sent when a change has been made or refused; the client may be gone by then.
+void FoxgloveClient::set_parameters(const nlohmann::json& message) {
+  for (const nlohmann::json& parameter : list_of(message, "parameters")) {
+    FoxgloveFeed& feed = feed_;
+    const auto answer = [this, &feed, id = message.value("id", nlohmann::json())](const std::string& error) {
+      feed.hub_.post([this, &feed, id, error] {
+        if (!feed.clients_.contains(this)) {
+          return;
+        }
+        if (!error.empty()) {
+          send_status(FoxgloveStatus::kWarning, error);
+        }
+        if (id.is_string()) {
+          send_text(parameters_text(foxglove_parameters(feed.hub_, {}), id));
+        }
+        feed.hub_.send_state();
+      });
+    };
+    try {
+      set_foxglove_parameter(feed_.hub_, parameter, answer);
+    } catch (const Error& error) {
+      answer(error.what());
+    }
+  }
+}
+
+void FoxgloveClient::send_changed_parameters() {
+  if (!watched_) {
+    return;
+  }
+  std::string text = parameters_text(foxglove_parameters(feed_.hub_, *watched_), {});
+  if (text != sent_parameters_) {
+    sent_parameters_ = text;
+    send_text(std::move(text));
+  }
+}
+
+void FoxgloveClient::send_time(std::uint64_t time_ns) {
+  constexpr char kTime = 2;
+  std::array<char, 9> bytes{kTime};
+  std::memcpy(bytes.data() + 1, &time_ns, sizeof(time_ns));
+  connection_.send(
+      {.bytes = std::make_shared<const std::string>(bytes.data(), bytes.size()), .binary = true, .droppable = true});
 }
 
 void FoxgloveClient::send_text(std::string text) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <span>
 
 #include "serve/foxglove_feed.h"
@@ -33,6 +34,12 @@ class FoxgloveClient : public Client {
 
   void forget_channels() { subscriptions_.clear(); }
 
+  /// Sends the values of the parameters that it has subscribed to, if they have changed.
+  void send_changed_parameters();
+
+  /// Sends the time of the latest ping [ns].
+  void send_time(std::uint64_t time_ns);
+
   /// To be called when the scenario was replaced: its text and pings are sent again.
   void forget_sent();
 
@@ -43,10 +50,14 @@ class FoxgloveClient : public Client {
   };
 
   void subscribe(const nlohmann::json& wanted);
+  [[nodiscard]] bool carry_out(const std::string& op, const nlohmann::json& message);
+  void set_parameters(const nlohmann::json& message);
 
   Connection& connection_;
   FoxgloveFeed& feed_;
   std::map<std::uint32_t, Subscription> subscriptions_;  // By the client's number.
+  std::optional<std::vector<std::string>> watched_;      // Parameters; empty: all. None: no subscription.
+  std::string sent_parameters_;
 };
 
 /// JSON messages about channels.

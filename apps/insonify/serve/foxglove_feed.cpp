@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "serve/foxglove_client.h"
 
@@ -45,6 +46,7 @@ void FoxgloveFeed::on_world() {
   const std::vector<std::string> names = names_of(hub_.world());
   for (FoxgloveClient* client : clients_) {
     client->forget_sent();
+    client->send_changed_parameters();
   }
   if (names == names_) {
     return;
@@ -79,6 +81,12 @@ void FoxgloveFeed::on_world() {
   }
 }
 
+void FoxgloveFeed::on_state() {
+  for (FoxgloveClient* client : clients_) {
+    client->send_changed_parameters();
+  }
+}
+
 bool FoxgloveFeed::is_wanted(const FoxgloveChannel& channel) const {
   return std::ranges::any_of(
       clients_, [&](const FoxgloveClient* client) { return client->wants(channel.id, is_sent_once(channel.is)); });
@@ -90,6 +98,9 @@ void FoxgloveFeed::on_ping(SharedPing& shared) {
   }
   EncoderJob job{.ping = shared.shared(), .channels = {}, .time_offset = time_offset_};
   last_time_ = time_offset_ + job.ping->ping.time;
+  for (FoxgloveClient* client : clients_) {
+    client->send_time(static_cast<std::uint64_t>(std::llround(last_time_ * 1e9)));
+  }
   for (const FoxgloveChannel& channel : channels_) {
     const auto source = channel.sources.find(job.ping->sonar);
     if (source != channel.sources.end() && is_wanted(channel)) {

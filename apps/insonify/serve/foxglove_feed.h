@@ -40,7 +40,7 @@ class FoxgloveFeed : public HubMember {
 
   void on_ping(SharedPing& ping) override;
   void on_world() override;
-  void on_state() override {}
+  void on_state() override;
   void on_note(const std::string& text) override;
 
   [[nodiscard]] std::unique_ptr<Client> client(Connection& connection);
