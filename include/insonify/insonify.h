@@ -68,5 +68,7 @@
 #include "insonify/wire/ping360.h"
 #include "insonify/wire/ping360_sonar.h"
 #include "insonify/wire/ping_protocol.h"
+#include "insonify/wire/ping_streamer.h"
+#include "insonify/wire/range_image.h"
 #include "insonify/words.h"
 #include "insonify/world_parts.h"

@@ -10,8 +10,16 @@
 namespace insonify {
 namespace {
 
-constexpr std::uint16_t kSetSpeedOfSound = 1002, kOsPingParams = 2197, kOsMonoProfile = 2198;
+// Definitions and manual differ in the id of set_speed_of_sound.
+constexpr std::uint16_t kSetSpeedOfSound = 1002, kSetSpeedOfManual = 116, kOsPingParams = 2197, kOsMonoProfile = 2198;
 constexpr double kSpanDb = 120;  // From the loudest to the weakest value of a profile.
+
+// Clockwise from north, which is the world's y [deg], 0..360.
+float heading_of(const Eigen::Quaterniond& world_from_body) {
+  constexpr double kTurn = 360;
+  const Vec3 ahead = world_from_body * Vec3::UnitX();
+  return static_cast<float>(std::fmod(degrees_from_radians(std::atan2(ahead.x(), ahead.y())) + kTurn, kTurn));
+}
 
 // Settings as the published client sends them by default.
 struct OmniscanSettings {
@@ -25,6 +33,7 @@ struct OmniscanSettings {
 
 class Omniscan450 : public PingStreamer {
  public:
+  [[nodiscard]] std::unique_ptr<PingStreamer> clone() const override { return std::make_unique<Omniscan450>(*this); }
   [[nodiscard]] bool is_on() const override { return settings_.enable; }
   [[nodiscard]] double period() const override { return settings_.msec_per_ping * kMilliseconds; }
 
@@ -55,7 +64,7 @@ bool Omniscan450::command(const PingFrame& frame) {
     take_params(frame);
     return true;
   }
-  if (frame.id != kSetSpeedOfSound) {
+  if (frame.id != kSetSpeedOfSound && frame.id != kSetSpeedOfManual) {
     return false;
   }
   check_size(frame, sizeof(std::uint32_t));
@@ -83,7 +92,7 @@ void Omniscan450::take_params(const PingFrame& frame) {
   check_value("msec_per_ping", asked.msec_per_ping, from_to(0, 1e6));
   check_value("pulse_len_percent", static_cast<double>(asked.pulse_len_percent), from_to(0, 0.5));
   check_value("gain_index", asked.gain_index, from_to(-1, 7));
-  check_value("num_results", asked.num_results, from_to(1, 10000));
+  check_value("num_results", asked.num_results, from_to(200, 1200));
   check_value("enable", enable, from_to(0, 1));
   asked.enable = enable == 1;
   settings_ = asked;
@@ -96,16 +105,16 @@ std::vector<PingFrame> Omniscan450::data(const Ping& ping, const SonarConfig& so
     return sonar.source_level_db + 10 * std::log10(std::max(1e-30, static_cast<double>(intensity)));
   });
   const double most = *std::ranges::max_element(levels), least = most - kSpanDb;
-  constexpr double kFull = 65535, kTurn = 360, kEast = 90;
-  const double yaw = degrees_from_radians(rpy_from_orientation(ping.world_from_sonar.orientation).z());
-  const auto heading = static_cast<float>(std::fmod(kEast - yaw + 2 * kTurn, kTurn));
+  constexpr double kFull = 65535;
+  const Eigen::Quaterniond& sonar_axes = ping.world_from_sonar.orientation;
   PingFrame frame{.id = kOsMonoProfile, .source = 1};
   put(frame.payload, static_cast<std::uint32_t>(ping.number), settings_.start_mm, settings_.length_mm,
       static_cast<std::uint32_t>(static_cast<std::uint64_t>(time / kMilliseconds)),
       static_cast<std::uint32_t>(sonar.frequency), static_cast<std::uint16_t>(std::max<int>(0, settings_.gain_index)),
       static_cast<std::uint16_t>(levels.size()), static_cast<std::uint16_t>(std::lround(10 * settings_.sound_speed)),
       std::uint8_t{0}, std::uint8_t{0}, static_cast<float>(pulse()), 0.0F, static_cast<float>(most),
-      static_cast<float>(least), heading, heading);
+      static_cast<float>(least), heading_of(sonar_axes),
+      heading_of(sonar_axes * sonar.vehicle_from_sonar().orientation.conjugate()));
   for (const double level : levels) {
     put(frame.payload,
         static_cast<std::uint16_t>(std::lround(kFull * std::clamp((level - least) / kSpanDb, 0.0, 1.0))));

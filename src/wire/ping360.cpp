@@ -16,7 +16,7 @@ namespace {
 
 enum Message : std::uint16_t {
   kAck = 1,
-  kNack = 2,
+  kNack = kPingNack,
   kDeviceInformation = 4,
   kProtocolVersion = 5,
   kGeneralRequest = 6,

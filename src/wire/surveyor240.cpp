@@ -15,12 +15,15 @@ constexpr std::uint16_t kWaterStats = 118, kAttitudeReport = 504, kYzPointData =
                         kSetPingParameters = 3023;
 
 struct SurveyorSettings {
-  std::int32_t start_mm = 0, end_mm = 5000;  // end_mm 0: automatic.
+  std::int32_t start_mm = 0, end_mm = 5000;  // end_mm 0: automatic; below 0: automatic, to -end_mm at most.
   float sos_mps = 1500;
   std::int16_t gain_index = -1, msec_per_ping = 100;
   bool ping_enable = false, enable_yz = false, enable_atof = false;
   std::uint16_t n_range_steps = 400;
   float pulse_len_steps = 1.5F;
+
+  // There and back [s].
+  [[nodiscard]] double travel_time(double range) const { return 2 * range / static_cast<double>(sos_mps); }
 };
 
 // A point of the bottom.
@@ -32,9 +35,9 @@ struct Sounding {
 // Mean range of the bins around a beam's loudest, weighted by intensity; none without a bin that stands out.
 std::optional<double> range_of(const Ping& ping, const SonarConfig& sonar, int beam) {
   constexpr int kAround = 2;
-  std::vector<float> values;
+  std::vector<double> values;
   for (int bin = 0; bin < ping.bin_count; ++bin) {
-    values.push_back(ping.intensity[ping.index(bin, beam)]);
+    values.push_back(static_cast<double>(ping.intensity[ping.index(bin, beam)]));
   }
   const auto loudest = static_cast<int>(std::ranges::max_element(values) - values.begin());
   double sum = 0, moment = 0;
@@ -77,13 +80,15 @@ void put_vector(std::vector<std::uint8_t>& bytes, const Vec3& vector) {
 
 class Surveyor240 : public PingStreamer {
  public:
+  [[nodiscard]] std::unique_ptr<PingStreamer> clone() const override { return std::make_unique<Surveyor240>(*this); }
   [[nodiscard]] bool is_on() const override { return settings_.ping_enable; }
   [[nodiscard]] double period() const override { return settings_.msec_per_ping * kMilliseconds; }
 
   [[nodiscard]] SonarConfig config(const SonarConfig& sonar, const Scenario& scenario) const override {
     constexpr double kLeastShare = 0.05;  // Of the end, as published.
-    const double end = settings_.end_mm == 0 ? sonar.max_range : settings_.end_mm * kMillimetres;
-    const double start = std::max(kLeastShare * end, settings_.end_mm == 0 ? 0 : settings_.start_mm * kMillimetres);
+    const bool automatic = settings_.end_mm <= 0;
+    const double end = settings_.end_mm == 0 ? sonar.max_range : std::abs(settings_.end_mm * kMillimetres);
+    const double start = std::max(kLeastShare * end, automatic ? 0 : settings_.start_mm * kMillimetres);
     SonarConfig asked = over_window(sonar, scenario, start, end, settings_.n_range_steps, settings_.sos_mps, 1e-6);
     if (asked.receiver && scenario.model == EchoModel::kCalibrated) {
       asked.receiver->pulse_duration = pulse_of(asked);
@@ -99,7 +104,7 @@ class Surveyor240 : public PingStreamer {
 
   // Duration of the pulse [s].
   [[nodiscard]] double pulse_of(const SonarConfig& sonar) const {
-    return settings_.pulse_len_steps * 2 * sonar.bin_length() / settings_.sos_mps;
+    return static_cast<double>(settings_.pulse_len_steps) * settings_.travel_time(sonar.bin_length());
   }
 
   [[nodiscard]] PingFrame yz_points(const Ping& ping, const SonarConfig& sonar, const Water& water, std::uint32_t now,
@@ -122,8 +127,8 @@ bool Surveyor240::command(const PingFrame& frame) {
   PacketReader(frame.payload)
       .get(asked.start_mm, asked.end_mm, asked.sos_mps, asked.gain_index, asked.msec_per_ping, deprecated, injected, on,
            channels, raw, yz, atof, target_hz, asked.n_range_steps, reserved, asked.pulse_len_steps);
-  check_value("end_mm", asked.end_mm, from_to(0, 1e6));
-  check_value("start_mm", asked.start_mm, from_to(0, asked.end_mm == 0 ? 1e6 : asked.end_mm - 1.0));
+  check_value("end_mm", asked.end_mm, from_to(-1e6, 1e6));
+  check_value("start_mm", asked.start_mm, from_to(0, asked.end_mm <= 0 ? 1e6 : asked.end_mm - 1.0));
   check_value("sos_mps", static_cast<double>(asked.sos_mps), from_to(1300, 1700));
   check_value("gain_index", asked.gain_index, from_to(-1, 100));
   check_value("msec_per_ping", asked.msec_per_ping, from_to(0, 32767));
@@ -160,12 +165,12 @@ PingFrame Surveyor240::atof_points(const Ping& ping, const SonarConfig& sonar, s
                                    const std::vector<Sounding>& soundings) const {
   PingFrame frame{.id = kAtofPointData, .source = 1};
   put(frame.payload, now, std::uint64_t{0});  // UTC is not available.
-  put(frame.payload, static_cast<float>(2 * sonar.max_range / settings_.sos_mps), settings_.sos_mps,
+  put(frame.payload, static_cast<float>(settings_.travel_time(sonar.max_range)), settings_.sos_mps,
       static_cast<std::uint32_t>(ping.number), static_cast<std::uint32_t>(sonar.frequency),
       static_cast<float>(pulse_of(sonar)), std::uint32_t{0}, static_cast<std::uint16_t>(soundings.size()),
       std::uint16_t{0});
   for (const Sounding& sounding : soundings) {
-    put(frame.payload, static_cast<float>(sounding.angle), static_cast<float>(2 * sounding.range / settings_.sos_mps),
+    put(frame.payload, static_cast<float>(sounding.angle), static_cast<float>(settings_.travel_time(sounding.range)),
         std::uint32_t{0}, std::uint32_t{0});
   }
   return frame;

@@ -108,9 +108,11 @@ constexpr Mistake kMistakes[] = {
      "insonify: \"medium\" is not a mode of soundmetrics-didson, which has high and low"},
     {"ModeOfNoPreset", "insonify sonars --mode high", 2,
      "insonify: --mode high belongs to a preset, and none is named"},
-    {"NoInstrument", "insonify emulate", 2, "insonify: emulate: name one of oculus, ping360, omniscan450, surveyor240, sonar3d15 (insonify emulate --help)"},
+    {"NoInstrument", "insonify emulate", 2,
+     "insonify: emulate: name one of oculus, ping360, omniscan450, surveyor240, sonar3d15 (insonify emulate --help)"},
     {"UnknownInstrument", "insonify emulate ping36 scan.yaml", 2,
-     "insonify: there is no emulate ping36: name one of oculus, ping360, omniscan450, surveyor240, sonar3d15 (insonify emulate --help)"},
+     "insonify: there is no emulate ping36: name one of oculus, ping360, omniscan450, surveyor240, sonar3d15 (insonify "
+     "emulate --help)"},
     {"NoBridge", "insonify bridge", 2, "insonify: bridge: name one of ros1, dds, gazebo (insonify bridge --help)"},
     {"UnknownBridge", "insonify bridge ros fan.yaml", 2,
      "insonify: there is no bridge ros: name one of ros1, dds, gazebo (insonify bridge --help)"},

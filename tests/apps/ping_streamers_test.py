@@ -41,13 +41,15 @@ class Client(Emulated):
     """A program that emulates an instrument, and a connection to it by TCP or UDP."""
 
     def __init__(self, instrument, *options, kind=socket.SOCK_STREAM):
-        super().__init__(instrument, "dive.yaml", "--port", "0", *options, files={"dive.yaml": SCENARIO, "bed.obj": BED})
+        super().__init__(instrument, "dive.yaml", "--port", "0", "-q", *options,
+                         files={"dive.yaml": SCENARIO, "bed.obj": BED})
         line = self.process.stdout.readline()
         if not line:
             raise AssertionError(self.process.communicate()[1])
+        self.address = ("127.0.0.1", int(line.rsplit(":", 1)[1]))
         self.socket = socket.socket(socket.AF_INET, kind)
         self.socket.settimeout(60)
-        self.socket.connect(("127.0.0.1", int(line.rsplit(":", 1)[1])))
+        self.socket.connect(self.address)
         self.stream = self.socket.makefile("rb") if kind == socket.SOCK_STREAM else None
 
     def send(self, data):
@@ -137,17 +139,62 @@ class StreamersTest(unittest.TestCase):
             self.assertAlmostEqual(-750 * time * math.cos(angle), points[2 * i + 1], delta=1e-3)
         self.assertEqual(struct.unpack_from("<3f", sonar.next(ATTITUDE)), head[3:6])
         self.assertEqual(len(sonar.next(WATER)), 8)
+        sonar.send(set_ping_parameters(end=-6000, atof=0))  # Automatic, to 6 m at most.
+        ends = (struct.unpack_from("<f", sonar.next(YZ), 92)[0] for _ in range(1000))
+        self.assertTrue(any(abs(end - 6) < 1e-6 for end in ends))
 
     def test_refusals_tell_why(self):
         sonar = self.client("surveyor240", "--sonar", "down")
         for command, reason in ((set_ping_parameters(steps=100), b"n_range_steps = 100 must be from 200 to 800"),
                                 (set_ping_parameters(sound_speed=900.0), b"sos_mps = 900 must be from 1300 to 1700"),
+                                (set_ping_parameters(start=8000), b"start_mm = 8000 must be from 0 to 7999"),
+                                (set_ping_parameters(sound_speed=math.nan), b"sos_mps = nan must be from 1300 to 1700"),
                                 (frame(3023, b"\0"), b"payload has 1 bytes, must have 36")):
             sonar.send(command)
             self.assertEqual(sonar.receive(), (NACK, struct.pack("<H", 3023) + reason))
-        sonar.send(frame(2601))
-        self.assertEqual(sonar.receive(), (NACK, struct.pack("<H", 2601) + b"unknown message"))
+        for number, payload in ((2601, b""), (6, struct.pack("<H", 2601))):  # Sent, and asked for.
+            sonar.send(frame(number, payload))
+            self.assertEqual(sonar.receive(), (NACK, struct.pack("<H", 2601) + b"unknown message"))
         status, _, err, _ = sonar.end()
+        self.assertEqual((status, err), (0, ""))
+
+    def test_damaged_frames_are_skipped_and_answers_not_answered(self):
+        asked, answer = frame(6, struct.pack("<H", 5)), (5, b"\x01\0\0\0")
+        damaged = bytearray(os_ping_params())
+        damaged[12] ^= 1
+        endless = b"BR" + struct.pack("<HHBB", 65535, 2197, 0, 0)
+        for kind in (socket.SOCK_STREAM, socket.SOCK_DGRAM):
+            sonar = self.client("omniscan450", "--sonar", "side", kind=kind)
+            for noise in (b"BRBBR\xffU", bytes(damaged), endless, frame(1), frame(NACK, b"\0\0no")):
+                sonar.send(noise)
+            sonar.send(os_ping_params()[:20])  # The start of a frame: a whole one by itself, or the first part of it.
+            sonar.send(os_ping_params()[20:] + asked)
+            replies = [sonar.receive()]
+            while replies[-1] != answer:
+                replies.append(sonar.receive())
+            # Over TCP the two parts are a command; datagrams stand for themselves.
+            self.assertTrue(all(number == PROFILE for number, _ in replies[:-1]))
+            sonar.send(os_ping_params())
+            self.assertEqual(sonar.next(PROFILE)[:4], struct.pack("<I", len(replies) - 1))
+
+    def test_a_client_that_is_gone_or_does_not_read_stops_nobody(self):
+        sonar = self.client("omniscan450", "--sonar", "side")
+        deaf = socket.create_connection(sonar.address)
+        self.addCleanup(deaf.close)
+        gone = socket.create_connection(sonar.address)
+        gone.sendall(os_ping_params(length=200, results=1200))  # As fast as it can, to all.
+        gone.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
+        sonar.next(PROFILE)
+        gone.close()  # A reset: what it has not read is lost.
+        for _ in range(20):
+            sonar.next(PROFILE)
+        again = socket.create_connection(sonar.address)
+        self.addCleanup(again.close)
+        again.settimeout(60)
+        again.sendall(os_ping_params(enable=0))
+        again.sendall(frame(6, struct.pack("<H", 5)))
+        self.assertTrue(again.recv(4096))
+        status, out, err, _ = sonar.end()
         self.assertEqual((status, err), (0, ""))
 
     def test_wrong_input_is_one_line(self):

@@ -156,11 +156,13 @@ class Sonar3d15Test(unittest.TestCase):
 
     def test_wrong_input_is_one_line(self):
         program, _ = self.start()
-        done = subprocess.run([INSONIFY, "emulate", "sonar3d15", "dive.yaml", "--to", "there"], cwd=program.path,
-                              capture_output=True, text=True, timeout=120, check=False)
-        self.assertEqual((done.returncode, done.stderr),
-                         (2, "insonify: --to there must be an IPv4 address, such as 224.0.0.96, and so must --address "
-                             "127.0.0.1\n"))
+        for words, status, message in (
+                (("--to", "there"), 2, "--to there must be an IPv4 address, such as 224.0.0.96, and so must --address 127.0.0.1"),
+                (("--address", "192.0.2.1"), 1, "--address 192.0.2.1: no network interface of this machine has it"),
+                (("--port", "0"), 2, "--port: 0 must be a whole number, from 1 to 65535 (insonify emulate sonar3d15 --help)")):
+            done = subprocess.run([INSONIFY, "emulate", "sonar3d15", "dive.yaml", "-q", *words], cwd=program.path,
+                                  capture_output=True, text=True, timeout=120, check=False)
+            self.assertEqual((done.returncode, done.stderr), (status, f"insonify: {message}\n"))
 
 
 if __name__ == "__main__":

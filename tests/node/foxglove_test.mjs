@@ -150,9 +150,11 @@ async function checkParametersAndTime(address) {
   client.setParameters([{name: "/paused", value: true}], "pause");
   await until("the pause", () => told.get("/paused") === true);
   client.setParameters([{name: "/paused", value: false}, {name: "/fls/max_range", value: 10}], "back");
-  await until("the range as before", () => told.get("/fls/max_range") === 10 && told.get("/paused") === false);
+  await until("the range as before", () => answers.has("back") && told.get("/fls/max_range") === 10);
+  assert.deepEqual(answers.get("back").map(({name, value}) => [name, value]), [["/paused", false], ["/fls/max_range", 10]]);
   client.setParameters([{name: "/fls/max_range", value: -1}], "wrong");
-  await until("a refusal", () => statuses.some((text) => text.includes("max_range")));
+  await until("a refusal", () => statuses.some((text) => text.includes("max_range")) && answers.has("wrong"));
+  assert.deepEqual(answers.get("wrong"), [{name: "/fls/max_range", value: 10, type: "float64"}]);
   client.setParameters([{name: "/deep", value: 1}], "unknown");
   await until("another", () => statuses.includes("there is no parameter /deep"));
   client.close();
@@ -222,7 +224,7 @@ try {
   const closed = new Promise((resolve) => socket.on("close", (code, reason) => resolve([code, String(reason)])));
   await until("the greeting", () => texts.length >= 2);
   socket.send(JSON.stringify({op: "subscribe", subscriptions: [{id: 1, channelId: 999}]}));
-  socket.send(JSON.stringify({op: "getParameters", parameterNames: []}));
+  socket.send(JSON.stringify({op: "fetchAsset", uri: "package://rov/hull.dae", requestId: 1}));
   await until("two warnings", () => texts.filter(({op}) => op === "status").length === 2);
   socket.send("{}");
   assert.deepEqual(await closed, [1008, "the message is not a JSON object with an op"]);

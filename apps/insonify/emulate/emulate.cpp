@@ -60,7 +60,8 @@ int emulate_ping360(const EmulateOptions& options) {
   return serve_until_stopped(server, options);
 }
 
-int emulate_streamer(const EmulateOptions& options, const char* instrument, const char* title,
+// @param pulse  The setting of the pulse's duration.
+int emulate_streamer(const EmulateOptions& options, const char* instrument, const char* title, const char* pulse,
                      std::unique_ptr<PingStreamer> streamer, bool one_beam) {
   end_when_asked(IgnoredInterrupt::kEnds);
   EmulatedSonar sonar(options, Product::kImage, instrument);
@@ -69,16 +70,19 @@ int emulate_streamer(const EmulateOptions& options, const char* instrument, cons
                                  sonar.given().beam_count, instrument));
   }
   StreamingServer server(options, sonar, std::move(streamer));
+  if (sonar.scenario().model == EchoModel::kPaper) {
+    complain(fmt::format("warning: in the paper's model {} has no effect", pulse));
+  }
   say("{} {} on TCP and UDP {}\n", title, sonar.given().name, server.address());
   return serve_until_stopped(server, options);
 }
 
 int emulate_omniscan450(const EmulateOptions& options) {
-  return emulate_streamer(options, "omniscan450", "Omniscan 450", make_omniscan450(), true);
+  return emulate_streamer(options, "omniscan450", "Omniscan 450", "pulse_len_percent", make_omniscan450(), true);
 }
 
 int emulate_surveyor240(const EmulateOptions& options) {
-  return emulate_streamer(options, "surveyor240", "Surveyor 240-16", make_surveyor240(), false);
+  return emulate_streamer(options, "surveyor240", "Surveyor 240-16", "pulse_len_steps", make_surveyor240(), false);
 }
 
 int emulate_sonar3d15(const EmulateOptions& options) {
@@ -90,20 +94,26 @@ int emulate_sonar3d15(const EmulateOptions& options) {
 }
 
 // Adds the command of an instrument, and the options that all have.
-EmulateOptions& add_instrument(const Command& command, int port, int (*emulate)(const EmulateOptions&)) {
+EmulateOptions& add_instrument(const Command& command, int (*emulate)(const EmulateOptions&)) {
   auto& options = command.keep<EmulateOptions>();
-  options.port = port;
   command.argument("SCENARIO", &options.scenario, "Scenario file (YAML)");
   command.option("--sonar", "NAME", &options.sonar, "Sonar of the scenario, by its name; the first of the right type",
                  not_empty("a sonar's name"));
-  command.option("--port", "N", &options.port, fmt::format("Port; 0: any free port [{}]", port),
-                 whole_number(0, 65535));
-  command.option("--address", "IP", &options.address, "Address to listen on [127.0.0.1]");
   command.option("--threads", "N", &options.threads, "Worker threads; 0: one per processor [0]", whole_number(0, 1024));
   command.option("--set", "KEY=VALUE", &options.settings,
                  "Change a key of the scenario, such as min_range=0.5; may be repeated");
   command.flag("-q,--quiet", &options.quiet, "Print only addresses, warnings and errors");
   command.act([&options, emulate] { return emulate(options); });
+  return options;
+}
+
+// Of one that listens.
+EmulateOptions& add_server(const Command& command, int port, int (*emulate)(const EmulateOptions&)) {
+  EmulateOptions& options = add_instrument(command, emulate);
+  options.port = port;
+  command.option("--port", "N", &options.port, fmt::format("Port; 0: any free port [{}]", port),
+                 whole_number(0, 65535));
+  command.option("--address", "IP", &options.address, "Address to listen on [127.0.0.1]");
   return options;
 }
 
@@ -114,7 +124,7 @@ void add_emulate(const Command& program) {
   emulate.footer("Help on one: insonify emulate ping360 --help");
 
   const Command oculus = emulate.add("oculus", "Blueprint Subsea Oculus: images over TCP, status over UDP port 52102");
-  EmulateOptions& oculus_options = add_instrument(oculus, 52100, emulate_oculus);
+  EmulateOptions& oculus_options = add_server(oculus, 52100, emulate_oculus);
   oculus.option("--high", "NAME", &oculus_options.high,
                 "Sonar of the scenario for the high frequency mode [the preset's]", not_empty("a sonar's name"));
   oculus.option("--silence", "SECONDS", &oculus_options.silence,
@@ -127,7 +137,7 @@ void add_emulate(const Command& program) {
       "Example:\n  insonify emulate oculus dive.yaml");
 
   const Command ping360 = emulate.add("ping360", "Blue Robotics Ping360: the ping protocol over UDP");
-  EmulateOptions& ping360_options = add_instrument(ping360, kPing360Port, emulate_ping360);
+  EmulateOptions& ping360_options = add_server(ping360, kPing360Port, emulate_ping360);
   ping360.flag("--pty", &ping360_options.serial, "Open a serial line too (a pseudo terminal), and print its path");
   ping360.flag("--fast", &ping360_options.fast,
                "Turn the head and read samples out in no time, so that a ping takes as long as its sound travels");
@@ -138,25 +148,29 @@ void add_emulate(const Command& program) {
       "Example:\n  insonify emulate ping360 scan.yaml --port 9092");
 
   const Command omniscan = emulate.add("omniscan450", "Cerulean Omniscan 450: profiles over TCP and UDP");
-  add_instrument(omniscan, 51200, emulate_omniscan450);
+  add_server(omniscan, 51200, emulate_omniscan450);
   omniscan.footer(
       "A sonar with one beam, that looks to a side. It pings once os_ping_params asks it to. Ctrl-C ends it; SIGUSR1\n"
       "prints rate and latency.\n\n"
       "Example:\n  insonify emulate omniscan450 survey.yaml --sonar port");
 
   const Command surveyor = emulate.add("surveyor240", "Cerulean Surveyor 240-16: soundings over TCP and UDP");
-  add_instrument(surveyor, 62312, emulate_surveyor240);
+  add_server(surveyor, 62312, emulate_surveyor240);
   surveyor.footer(
       "A fan that looks down. It pings once set_ping_parameters asks it to. Ctrl-C ends it; SIGUSR1 prints rate and\n"
       "latency.\n\n"
       "Example:\n  insonify emulate surveyor240 survey.yaml");
 
   const Command eye = emulate.add("sonar3d15", "Water Linked Sonar 3D-15: range images by UDP");
-  EmulateOptions& eye_options = add_instrument(eye, 4747, emulate_sonar3d15);
+  EmulateOptions& eye_options = add_instrument(eye, emulate_sonar3d15);
+  eye_options.port = 4747;
   eye.option("--to", "IP", &eye_options.destination, "Multicast group, or address, to send to [224.0.0.96]");
+  eye.option("--port", "N", &eye_options.port, "UDP port to send to [4747]", whole_number(1, 65535));
+  eye.option("--address", "IP", &eye_options.address,
+             "This machine's address in the network that multicast goes to [127.0.0.1]");
   eye.footer(
-      "--port is that of the listeners, --address that of the network interface. It sends without being asked: the\n"
-      "instrument's settings over HTTP are not emulated. Ctrl-C ends it; SIGUSR1 prints rate and latency.\n\n"
+      "It sends without being asked: the instrument's settings over HTTP are not emulated. Ctrl-C ends it; SIGUSR1\n"
+      "prints rate and latency.\n\n"
       "Example:\n  insonify emulate sonar3d15 dive.yaml");
 }
 

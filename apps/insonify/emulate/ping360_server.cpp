@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kLongestDatagram = 2048;  // Longer ones are cut and refused: commands have at most 24 bytes.
 
 // Message ids.
-constexpr std::uint16_t kNack = 2, kTransducer = 2601, kAutoTransmit = 2602;
+constexpr std::uint16_t kTransducer = 2601, kAutoTransmit = 2602;
 
 }  // namespace
 
@@ -148,7 +148,7 @@ WallClock::time_point Ping360Server::read_out_at(const Received& received) {
 void Ping360Server::answer_after_turn(const Command& command, std::vector<PingFrame> frames) {
   const auto answer = [this, client = command.client, frames = std::move(frames)] {
     for (const PingFrame& frame : frames) {
-      if (frame.id == kNack) {
+      if (frame.id == kPingNack) {
         report_.note_refusal();
       }
       send(frame, client);

@@ -29,7 +29,7 @@ std::vector<std::uint16_t> pixels_of(const Channels& seen, double scale) {
   std::vector<std::uint16_t> pixels;
   for (int row = kHeight - 1; row >= 0; --row) {
     for (int column = 0; column < kWidth; ++column) {
-      const float distance = seen.distance[static_cast<std::size_t>(row * kWidth + column)];
+      const double distance = seen.distance[static_cast<std::size_t>(row * kWidth + column)];
       pixels.push_back(std::isnan(distance) ? 0 : static_cast<std::uint16_t>(std::lround(distance / scale)));
     }
   }
@@ -48,7 +48,7 @@ Sonar3d15Server::Sonar3d15Server(const EmulateOptions& options, EmulatedSonar& s
                                  printable(options.destination), printable(options.address)));
   }
   socket_.open(destination_.protocol());
-  socket_.set_option(net::ip::multicast::outbound_interface(own));
+  socket_.set_option(net::ip::multicast::outbound_interface(network_with(own).address));
   constexpr double kWide = 40, kSlow = 0.2, kFast = 0.05;
   const bool wide = view_.azimuth_aperture > radians_from_degrees(kWide + 1e-6);
   travel_ = 2 * view_.max_range / sonar.sound_speed();
@@ -89,6 +89,9 @@ void Sonar3d15Server::look(WallClock::time_point due) {
   timer_.async_wait([this, packet = encode_rip2(image), transmitted, due](error_code) {
     error_code failure;  // Nobody needs to listen.
     socket_.send_to(net::buffer(packet), destination_, 0, failure);
+    if (failure) {
+      report_.note_drop();
+    }
     report_.note(transmitted, sonar_.computing_time());
     const WallClock::time_point next = std::max(due + wall_clock_duration(period_), WallClock::now());
     timer_.expires_at(next);

@@ -53,7 +53,7 @@ void StreamingServer::accept() {
           std::move(socket),
           StreamClient::Events{.event =
                                    [this](StreamClient& from, const PingEvent& event) {
-                                     for (const PingFrame& frame : answers(event)) {
+                                     for (const PingFrame& frame : take(event).frames) {
                                        from.send(encode(frame));
                                      }
                                    },
@@ -83,29 +83,42 @@ void StreamingServer::take_datagram(std::size_t size) {
   PingParser parser;
   parser.add(std::span(datagram_).first(size));
   while (const std::optional<PingEvent> event = parser.last()) {
-    for (const PingFrame& frame : answers(*event)) {
+    const StreamerAnswer answer = take(*event);
+    for (const PingFrame& frame : answer.frames) {
       error_code failure;  // A client that is gone or whose buffer is full loses the message.
       socket_.send_to(net::buffer(encode(frame)), sender_, 0, failure);
     }
-    if (event->kind == PingEvent::Kind::kFrame) {
+    if (answer.accepted) {
       udp_client_ = sender_;
     }
   }
 }
 
-// Damaged frames are not answered: who sent them is not known to understand.
-std::vector<PingFrame> StreamingServer::answers(const PingEvent& event) {
+// Damaged frames are not answered: who sent them is not known to understand. What the simulated sonar cannot do is
+// refused, and the settings before it stay.
+StreamerAnswer StreamingServer::take(const PingEvent& event) {
   if (event.kind != PingEvent::Kind::kFrame) {
     return {};
   }
-  std::vector<PingFrame> frames = streamer_->take(event.frame);
-  if (frames.empty()) {  // A command.
+  std::unique_ptr<PingStreamer> asked = streamer_->clone();
+  StreamerAnswer answer = asked->take(event.frame);
+  if (answer.accepted) {
+    try {
+      sonar_.set(asked->config(sonar_.given(), sonar_.scenario()));
+    } catch (const Error& error) {
+      answer = {.frames = {PingStreamer::refusal(event.frame.id, error.what())}};
+    }
+  }
+  if (answer.accepted) {
+    streamer_ = std::move(asked);
     ++command_;
-    changed_ = true;
+    warned_ = false;
     timer_.cancel();
     schedule();
+  } else if (!answer.frames.empty() && answer.frames[0].id == kPingNack) {
+    report_.note_refusal();
   }
-  return frames;
+  return answer;
 }
 
 void StreamingServer::schedule() {
@@ -124,9 +137,6 @@ void StreamingServer::schedule() {
 void StreamingServer::ping() {
   const WallClock::time_point transmitted = WallClock::now();
   try {
-    if (std::exchange(changed_, false)) {
-      sonar_.set(streamer_->config(sonar_.given(), sonar_.scenario()));
-    }
     const Ping& made = sonar_.ping();
     const SonarConfig& config = sonar_.config();
     const auto frames = streamer_->data(made, config, sonar_.scenario().water_at(config), sonar_.time_at(transmitted));

@@ -20,7 +20,7 @@
 namespace insonify {
 
 /// Single-threaded, as Ping360Server. Its pings go to all TCP connections and to the UDP client that sent the last
-/// command, when their last echo is back.
+/// command, when their last echo is back. It goes on until it is told to stop, also after its clients are gone.
 class StreamingServer {
  public:
   /// Binds the ports.
@@ -41,7 +41,7 @@ class StreamingServer {
   void accept();
   void receive();
   void take_datagram(std::size_t size);
-  [[nodiscard]] std::vector<PingFrame> answers(const PingEvent& event);
+  [[nodiscard]] StreamerAnswer take(const PingEvent& event);
   void schedule();
   void ping();
   void send(const std::vector<PingFrame>& frames);
@@ -58,7 +58,7 @@ class StreamingServer {
   std::optional<Udp::endpoint> udp_client_;
   std::array<std::uint8_t, 2048> datagram_ = {};
   Udp::endpoint sender_;
-  bool changed_ = true, warned_ = false;
+  bool warned_ = false;             // Of failing pings, since the last command.
   std::uint64_t command_ = 0;       // Counts commands: timers from before the last are ignored.
   WallClock::time_point next_due_;  // Of the next ping, at the earliest.
 };

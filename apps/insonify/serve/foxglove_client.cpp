@@ -56,17 +56,6 @@ std::string server_info_text() {
                         {"sessionId", fmt::format("{}", std::chrono::system_clock::now().time_since_epoch().count())}});
 }
 
-std::vector<std::string> names_in(const nlohmann::json& message, const char* key) {
-  std::vector<std::string> names;
-  for (const nlohmann::json& name : list_of(message, key)) {
-    if (!name.is_string()) {
-      throw Error(fmt::format("{} must be texts", key));
-    }
-    names.push_back(name.get<std::string>());
-  }
-  return names;
-}
-
 // @param id  Of the request; null: none.
 std::string parameters_text(nlohmann::json parameters, const nlohmann::json& id) {
   nlohmann::json text = {{"op", "parameterValues"}, {"parameters", std::move(parameters)}};
@@ -139,12 +128,12 @@ void FoxgloveClient::on_text(std::string_view text) {
 // Carries out an op about parameters. @return  False for another.
 bool FoxgloveClient::carry_out(const std::string& op, const nlohmann::json& message) {
   if (op == "getParameters") {
-    send_text(parameters_text(foxglove_parameters(feed_.hub_, names_in(message, "parameterNames")),
+    send_text(parameters_text(foxglove_parameters(feed_.hub_, texts_of(message, "parameterNames")),
                               message.value("id", nlohmann::json())));
   } else if (op == "setParameters") {
     set_parameters(message);
   } else if (op == "subscribeParameterUpdates") {
-    watched_ = names_in(message, "parameterNames");
+    watched_ = texts_of(message, "parameterNames");
     sent_parameters_.clear();
     send_changed_parameters();
   } else if (op == "unsubscribeParameterUpdates") {
@@ -155,24 +144,34 @@ bool FoxgloveClient::carry_out(const std::string& op, const nlohmann::json& mess
   return true;
 }
 
-// Answers are sent when a change has been made or refused; the client may be gone by then.
+// Sets all and then answers once, with the values that they have; each refusal is a status. The client may be gone by
+// then.
 void FoxgloveClient::set_parameters(const nlohmann::json& message) {
-  for (const nlohmann::json& parameter : list_of(message, "parameters")) {
-    FoxgloveFeed& feed = feed_;
-    const auto answer = [this, &feed, id = message.value("id", nlohmann::json())](const std::string& error) {
-      feed.hub_.post([this, &feed, id, error] {
-        if (!feed.clients_.contains(this)) {
-          return;
-        }
+  struct Request {
+    nlohmann::json id;
+    std::vector<std::string> names = {};
+    std::size_t open = 0;  // Parameters whose change has not been made or refused.
+  };
+  const nlohmann::json& parameters = list_of(message, "parameters");
+  const auto request = std::make_shared<Request>(Request{message.value("id", nlohmann::json())});
+  request->open = parameters.size();
+  for (const nlohmann::json& parameter : parameters) {
+    request->names.push_back(text_of(parameter, "name"));
+  }
+  const auto answer = [weak = std::weak_ptr(self_), &hub = feed_.hub_, request](const std::string& error) {
+    hub.post([weak, &hub, request, error] {
+      if (const auto self = weak.lock()) {
         if (!error.empty()) {
-          send_status(FoxgloveStatus::kWarning, error);
+          (*self)->send_status(FoxgloveStatus::kWarning, error);
         }
-        if (id.is_string()) {
-          send_text(parameters_text(foxglove_parameters(feed.hub_, {}), id));
+        if (--request->open == 0 && request->id.is_string()) {
+          (*self)->send_text(parameters_text(foxglove_parameters(hub, request->names), request->id));
         }
-        feed.hub_.send_state();
-      });
-    };
+      }
+      hub.send_state_soon();
+    });
+  };
+  for (const nlohmann::json& parameter : parameters) {
     try {
       set_foxglove_parameter(feed_.hub_, parameter, answer);
     } catch (const Error& error) {

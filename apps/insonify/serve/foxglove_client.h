@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
@@ -58,6 +59,7 @@ class FoxgloveClient : public Client {
   std::map<std::uint32_t, Subscription> subscriptions_;  // By the client's number.
   std::optional<std::vector<std::string>> watched_;      // Parameters; empty: all. None: no subscription.
   std::string sent_parameters_;
+  std::shared_ptr<FoxgloveClient*> self_ = std::make_shared<FoxgloveClient*>(this);  // Ends with it: for late answers.
 };
 
 /// JSON messages about channels.

@@ -8,6 +8,7 @@
 
 #include "insonify/error.h"
 #include "insonify/printable.h"
+#include "serve/json_messages.h"
 
 namespace insonify {
 namespace {
@@ -51,12 +52,8 @@ nlohmann::json foxglove_parameters(Hub& hub, const std::vector<std::string>& nam
 }
 
 void set_foxglove_parameter(Hub& hub, const nlohmann::json& parameter, LiveLoop::Done done) {
-  if (!parameter.is_object() || !parameter.contains("name") || !parameter["name"].is_string() ||
-      !parameter.contains("value")) {
-    throw Error("a parameter must have a name and a value");
-  }
-  const std::string name = parameter["name"].get<std::string>();
-  const nlohmann::json& value = parameter["value"];
+  const std::string name = text_of(parameter, "name");
+  const nlohmann::json& value = member(parameter, "value");
   PingSource& source = hub.source();
   if (name == kPaused) {
     if (!value.is_boolean()) {
@@ -73,8 +70,8 @@ void set_foxglove_parameter(Hub& hub, const nlohmann::json& parameter, LiveLoop:
     const auto& sonars = hub.world().sonars;
     const auto sonar = std::ranges::find(sonars, name, range_name);
     if (sonar != sonars.end()) {
-      return source.simulation()->set({fmt::format("sonars.{}.max_range={}", sonar->name, number_in(value, name))},
-                                      std::move(done));
+      return source.simulation()->set(
+          {fmt::format("sonars[{}].max_range={}", sonar - sonars.begin(), number_in(value, name))}, std::move(done));
     }
   }
   throw Error(fmt::format("there is no parameter {}", printable(name)));

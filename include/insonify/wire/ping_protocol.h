@@ -27,6 +27,9 @@ struct PingFrame {
 /// swallowing what follows.
 inline constexpr std::size_t kLongestPingPayload = 256;
 
+/// Id of the message that refuses another: its id (u16) and a reason in ASCII.
+inline constexpr std::uint16_t kPingNack = 2;
+
 /// @param frame  Of at most 65535 bytes of payload.
 [[nodiscard]] std::vector<std::uint8_t> encode(const PingFrame& frame);
 

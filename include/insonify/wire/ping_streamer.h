@@ -14,14 +14,24 @@
 
 namespace insonify {
 
+/// What follows from a frame.
+struct StreamerAnswer {
+  std::vector<PingFrame> frames = {};  ///< To be sent at once.
+  bool accepted = false;               ///< A command was accepted: see is_on(), period() and config().
+};
+
 /// A sonar as its commands see it. Invalid values are answered with NACK and change nothing.
 class PingStreamer {
  public:
   virtual ~PingStreamer() = default;
+  [[nodiscard]] virtual std::unique_ptr<PingStreamer> clone() const = 0;
 
   /// Answers a whole frame: requests for device information and protocol version; commands that are accepted are not
   /// answered, as by the instruments.
-  [[nodiscard]] std::vector<PingFrame> take(const PingFrame& frame);
+  [[nodiscard]] StreamerAnswer take(const PingFrame& frame);
+
+  /// NACK of a message, with a reason in ASCII.
+  [[nodiscard]] static PingFrame refusal(std::uint16_t id, std::string_view reason);
 
   /// Whether it pings.
   [[nodiscard]] virtual bool is_on() const = 0;
@@ -44,9 +54,10 @@ class PingStreamer {
   virtual bool command(const PingFrame& frame) = 0;
 };
 
-/// Cerulean Omniscan 450, a side-looking sonar with one beam: os_ping_params (2197), set_speed_of_sound (1002);
-/// os_mono_profile (2198). Layouts are those of the published definitions (bluerobotics/ping-protocol,
-/// src/definitions/omniscan450.json). Its echoes are in dB re 1 uPa, from the loudest of a ping to 120 dB below.
+/// Cerulean Omniscan 450, a side-looking sonar with one beam: os_ping_params (2197), set_speed_of_sound (1002, or 116
+/// in the maker's manual); os_mono_profile (2198). Layouts are those of the published definitions
+/// (bluerobotics/ping-protocol, src/definitions/omniscan450.json; docs.ceruleansonar.com, "Omniscan 450"). Its echoes
+/// are in dB re 1 uPa, from the loudest of a ping to 120 dB below.
 [[nodiscard]] std::unique_ptr<PingStreamer> make_omniscan450();
 
 /// Cerulean Surveyor 240-16, a multibeam echo sounder that looks down: set_ping_parameters (3023); yz_point_data
