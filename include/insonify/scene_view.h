@@ -25,8 +25,8 @@ struct ViewOptions {
   }
 };
 
-/// Chooses a camera behind and above the sonar, clear of the scene's surfaces, that shows the insonified sector and the
-/// objects in it. Objects that the sector contains in part are shown whole unless they are large.
+/// Chooses a camera behind and above the sonar, clear of the scene's surfaces, that shows the insonified sector up to
+/// what ends it, and the objects in it. Objects that the sector contains in part are shown whole unless they are large.
 [[nodiscard]] ViewConfig fitting_view(Engine& engine, const Scene& scene, const SonarConfig& sonar,
                                       const Pose& world_from_sonar);
 

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 namespace insonify {
@@ -48,6 +49,32 @@ std::vector<SeenPoint> look_around(Engine& engine, const InsonifiedSector& secto
     point.weight = 1 / std::pow(rays_on[point.instance], 0.6);
   }
   return points;
+}
+
+// Where the rays along the sector's border end.
+std::vector<Vec3> border_of(Engine& engine, const InsonifiedSector& sector) {
+  constexpr int kAcross = 24, kAlong = 6;
+  const Vec3& sonar = sector.world_from_sonar().position;
+  std::vector<Ray> rays;
+  const auto look_at = [&](double across, double along) {
+    const Vec3 far = sector.point_at(sector.max_range(), across, along);
+    rays.push_back({sonar, (far - sonar).normalized(), 0, sector.max_range()});
+  };
+  for (const double side : {0.0, 1.0}) {
+    for (int i = 0; i <= kAcross; ++i) {
+      look_at(i * 1.0 / kAcross, side);
+    }
+    for (int i = 1; i < kAlong; ++i) {
+      look_at(side, i * 1.0 / kAlong);
+    }
+  }
+  std::vector<Hit> hits(rays.size());
+  engine.trace(rays, hits);
+  std::vector<Vec3> border;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    border.push_back(sonar + std::min(hits[i].distance, sector.max_range()) * rays[i].direction);
+  }
+  return border;
 }
 
 // Extreme vertices of an instance in many directions, world frame.
@@ -99,6 +126,7 @@ std::vector<Vec3> tips_of(const Scene& scene, const std::vector<SeenPoint>& poin
 ViewSubject view_subject(Engine& engine, const Scene& scene, const InsonifiedSector& sector) {
   ViewSubject subject{look_around(engine, sector), {}};
   subject.tips = tips_of(scene, subject.points, sector.world_from_sonar().position);
+  std::ranges::copy(border_of(engine, sector), std::back_inserter(subject.tips));
   return subject;
 }
 

@@ -20,7 +20,8 @@ struct SeenPoint {
 
 struct ViewSubject {
   std::vector<SeenPoint> points;  ///< At least one.
-  std::vector<Vec3> tips;         ///< Extreme points of visible objects small enough to be shown whole [m].
+  std::vector<Vec3> tips;  ///< Extreme points of visible objects small enough to be shown whole, and the border of the
+                           ///< sector, where surfaces end it or at its greatest range [m].
 };
 
 /// Traces rays from the sonar through its sector. The engine must hold the scene.

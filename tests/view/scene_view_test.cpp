@@ -225,6 +225,21 @@ TEST(FittingViewTest, StaysInsideAClosedTank) {
   EXPECT_TRUE(stage.sees(view.position, stage.pose.position));
 }
 
+// Also where the sound ends at the floor or at the greatest range, far from the only object.
+TEST(FittingViewTest, ShowsTheBorderOfTheSector) {
+  Stage stage;
+  stage.add_floor().add("steel", make_sphere(0.5), {6, 0.5, 0.5});
+  const ViewConfig view = stage.fit();
+  for (const double azimuth_deg : {-45.0, -20.0, 0.0, 20.0, 45.0}) {
+    for (const double elevation_deg : {-35.0, 5.0}) {
+      const Vec3 way =
+          point_from_spherical({1, radians_from_degrees(azimuth_deg), radians_from_degrees(elevation_deg)});
+      const Vec3 end = stage.pose.position + (way.z() < 0 ? std::min(20.0, -3 / way.z()) : 20) * way;
+      EXPECT_TRUE(frames(view, end)) << azimuth_deg << ' ' << elevation_deg;
+    }
+  }
+}
+
 // The same scene, a hundred times as large or as small, gives the same picture.
 TEST(FittingViewTest, DoesNotDependOnScale) {
   const auto fit = [](double scale) {
