@@ -224,6 +224,10 @@ class Recording final : public PingSink {
 /// Writes a PNG, 8 bits per channel.  @throws Error with the path.
 void write_png(const std::filesystem::path& path, const Picture& picture);
 
+/// Writes a grey PNG of 8 or 16 bits per pixel, with the numbers as they are.
+/// @throws Error with the path, also for a number of more bits.
+void write_png(const std::filesystem::path& path, const NumberPicture& picture, int bits);
+
 // ---------------------------------------------------------------------------------------------------------------------
 
 template <typename Self, typename Visit>

@@ -26,6 +26,12 @@ struct Picture {
   }
 };
 
+/// Grey pixels that are whole numbers, rows from the top.
+struct NumberPicture {
+  int width = 0, height = 0;  ///< [pixels]
+  std::vector<std::uint16_t> numbers;
+};
+
 enum class ColourMap { kInferno, kCopper, kGrey, kBlue };
 enum class Scale { kLinear, kDecibel };
 
@@ -42,7 +48,9 @@ struct Display {
   bool of_one = false;     ///< Decibels on the colour bar are re an intensity of 1, not re full_scale.
   bool of_counts = false;  ///< Intensities are counts, see counts_as_intensities(); for the colour bar.
   int height = 720;        ///< Height of the whole picture [pixels], 240..8192; the width follows from the fan's shape.
-  bool annotations = true;  ///< Title, rings, radials, axes and colour bar.
+  bool annotations = true;     ///< Title, rings, radials, axes and colour bar.
+  bool pixel_per_bin = false;  ///< Without annotations, instead of `height`: a pixel is as long as a bin, and in tables
+                               ///< as wide as a beam, a step of the head or a ping.
 
   /// @throws Error on the first field out of limits.
   void validate() const;
@@ -61,6 +69,7 @@ struct Display {
     visit(Field{"of_counts", "", {}, "Intensities are the counts of an instrument."}, self.of_counts);
     visit(Field{"height", "pixels", from_to(240, 8192), "Height of the whole picture."}, self.height);
     visit(Field{"annotations", "", {}, "Draw title, rings, radials, axes and colour bar."}, self.annotations);
+    visit(Field{"pixel_per_bin", "", {}, "Without annotations: a pixel for each bin."}, self.pixel_per_bin);
   }
 };
 
@@ -121,6 +130,14 @@ inline constexpr double kShownGainPerDecade = 30;
 /// Bilinear interpolation between beams and bins; apertures up to 360 degrees.
 [[nodiscard]] Picture draw_fan(const Ping& ping, const SonarConfig& sonar, const Display& display = {});
 
+/// Numbers of a ping's bins, such as its labels, in the pixels of draw_polar() and draw_fan() without annotations: that
+/// of the bin in which the middle of a pixel lies, plus 1; 0 where there is no bin, or its number is kNoLabel.
+/// @param numbers  As Ping::instance.
+[[nodiscard]] NumberPicture draw_polar_numbers(const std::vector<std::uint16_t>& numbers, const SonarConfig& sonar,
+                                               const Display& display = {});
+[[nodiscard]] NumberPicture draw_fan_numbers(const std::vector<std::uint16_t>& numbers, const SonarConfig& sonar,
+                                             const Display& display = {});
+
 /// The view of a scanning sonar, which fills as the head turns. Each ping fills its own step of azimuth, later pings
 /// cover earlier ones, and azimuths that have not been scanned yet stay blank. Where steps are longer than three beam
 /// widths, a ping fills only the width of its beam, and gaps stay blank.
@@ -139,6 +156,12 @@ class ScanView {
   [[nodiscard]] Picture draw(const Display& display = {}) const;
   /// The pings side by side: head angle across (port to the left), range upwards.
   [[nodiscard]] Picture draw_polar(const Display& display = {}) const;
+  /// As draw_fan_numbers() and draw_polar_numbers(), in the pixels of the above without annotations.
+  /// @param numbers  Of all pings added.
+  [[nodiscard]] NumberPicture draw_numbers(const std::vector<std::vector<std::uint16_t>>& numbers,
+                                           const Display& display = {}) const;
+  [[nodiscard]] NumberPicture draw_polar_numbers(const std::vector<std::vector<std::uint16_t>>& numbers,
+                                                 const Display& display = {}) const;
 
  private:
   SonarConfig sonar_;

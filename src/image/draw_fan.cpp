@@ -9,6 +9,7 @@
 #include "image/fan_frame.h"
 #include "image/fan_geometry.h"
 #include "image/fan_paint.h"
+#include "image/number_paint.h"
 #include "image/ping_table.h"
 
 namespace insonify {
@@ -72,18 +73,37 @@ class FanTable {
   bool has_gaps_;
 };
 
+FanShape fan_shape(const SonarConfig& sonar) {
+  const BearingGrid beams = sonar.bearings();
+  return {beams.starboard.back(), beams.port.front(), sonar.min_range, sonar.max_range, 0};
+}
+
 }  // namespace
+
+NumberPicture draw_fan_numbers(const std::vector<std::uint16_t>& numbers, const SonarConfig& sonar,
+                               const Display& display) {
+  display.validate();
+  check_numbers(numbers, sonar);
+  const FanShape shape = fan_shape(sonar);
+  const BearingGrid beams = sonar.bearings();
+  const BeamAxis axis(sonar);
+  return fan_numbers(shape, bare_fan(shape, display, sonar.bin_length()), sonar, [&](int bin, double azimuth) {
+    const double bearing = shape.middle() + near_zero(azimuth - shape.middle());
+    const int beam = beams.last_before(bearing, std::max(0, static_cast<int>(axis.beam_at(bearing))));
+    return beams.has(beam, bearing) ? number_at(numbers, sonar, bin, beam) : kNoLabel;
+  });
+}
 
 Picture draw_fan(const Ping& ping, const SonarConfig& sonar, const Display& display) {
   display.validate();
   check_ping(ping, sonar);
   const BearingGrid beams = sonar.bearings();
-  const FanShape shape{beams.starboard.back(), beams.port.front(), sonar.min_range, sonar.max_range, 0};
+  const FanShape shape = fan_shape(sonar);
   const FanTable table(ping, sonar, shape);
   const FanCells cells{sonar.bin_length(), beams.covered() / sonar.beam_count};
   const Tone tone(display);
   if (!display.annotations) {
-    const BareFan fan = bare_fan(shape, display.height);
+    const BareFan fan = bare_fan(shape, display, sonar.bin_length());
     Picture picture = blank_picture(fan.width, fan.height, palette::kBackground);
     paint_fan(picture, fan.geometry, shape, cells, tone, table);
     return picture;

@@ -7,6 +7,7 @@
 
 #include "image/colours.h"
 #include "image/fan_geometry.h"
+#include "image/number_paint.h"
 #include "image/ping_table.h"
 #include "image/plot.h"
 #include "image/scales.h"
@@ -40,12 +41,22 @@ void average_beams(const std::vector<float>& table, int beam_count, double from,
 
 }  // namespace
 
+NumberPicture draw_polar_numbers(const std::vector<std::uint16_t>& numbers, const SonarConfig& sonar,
+                                 const Display& display) {
+  display.validate();
+  check_numbers(numbers, sonar);
+  const PlotLayout plot = bare_plot(display, sonar.beam_count, sonar.bin_count);
+  return plot_numbers(plot, sonar.bin_count, [&](int bin, double across) {
+    return number_at(numbers, sonar, bin, static_cast<int>(across * sonar.beam_count));
+  });
+}
+
 Picture draw_polar(const Ping& ping, const SonarConfig& sonar, const Display& display) {
   display.validate();
   check_ping(ping, sonar);
   Page page(display, heading_of(sonar, fmt::format("ping {}", ping.number), ping.time));
   const PlotAxes axes{azimuth_ticks(sonar), range_ticks(sonar), "azimuth", "range (m)"};
-  const PlotLayout plot = display.annotations ? lay_out_plot(axes, page, display.height) : bare_plot(display.height);
+  const PlotLayout plot = plot_of(axes, page, display, ping.beam_count, ping.bin_count);
   Picture picture = blank_picture(plot.width, plot.height, palette::kBackground);
 
   const Tone tone(display);

@@ -14,6 +14,16 @@ namespace {
 
 constexpr double kApertureTolerance = 1e-6;  // Tolerance for apertures summed over beams [rad].
 
+// @param pixels  Length of max_range [pixels].
+BareFan scaled_fan(const FanShape& shape, const FanExtent& extent, double pixels, int height) {
+  BareFan fan{std::max(1, static_cast<int>(std::lround((extent.right - extent.left) * pixels))), height, {}};
+  fan.geometry.up = shape.up;
+  fan.geometry.metres_per_pixel = shape.max_range / pixels;
+  fan.geometry.apex = {fan.width / 2.0 - (extent.left + extent.right) / 2 * pixels,
+                       height / 2.0 + (extent.top + extent.bottom) / 2 * pixels};
+  return fan;
+}
+
 }  // namespace
 
 bool FanShape::full_circle() const {
@@ -46,15 +56,19 @@ Point FanGeometry::point_at(double range, double azimuth) const {
 
 BareFan bare_fan(const FanShape& shape, int height) {
   const FanExtent extent = extent_of(shape);
-  const double across = extent.right - extent.left;
   const double along = extent.top - extent.bottom;
-  const double pixels = std::min(height / along, 2 * height / across);  // Length of max_range [pixels].
-  BareFan fan{std::max(1, static_cast<int>(std::lround(across * pixels))), height, {}};
-  fan.geometry.up = shape.up;
-  fan.geometry.metres_per_pixel = shape.max_range / pixels;
-  fan.geometry.apex = {fan.width / 2.0 - (extent.left + extent.right) / 2 * pixels,
-                       height / 2.0 + (extent.top + extent.bottom) / 2 * pixels};
-  return fan;
+  return scaled_fan(shape, extent, std::min(height / along, 2 * height / (extent.right - extent.left)), height);
+}
+
+BareFan bare_fan(const FanShape& shape, const Display& display, double bin_length) {
+  if (!display.pixel_per_bin) {
+    return bare_fan(shape, display.height);
+  }
+  constexpr int kGreatestHeight = 8192;
+  const FanExtent extent = extent_of(shape);
+  const double along = extent.top - extent.bottom;
+  const double pixels = std::min(shape.max_range / bin_length, kGreatestHeight / along);
+  return scaled_fan(shape, extent, pixels, std::max(1, static_cast<int>(std::lround(along * pixels))));
 }
 
 BeamAxis::BeamAxis(const SonarConfig& sonar) : last_(sonar.beam_count - 0.5) {

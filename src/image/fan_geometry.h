@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "image/canvas.h"
+#include "insonify/picture.h"
 #include "insonify/sonar_config.h"
 
 namespace insonify {
@@ -81,6 +82,8 @@ struct BareFan {
 /// A fan of the given height; at most twice as wide, with room above and below if need be. One of up to 180 degrees
 /// whose middle points up is 2 height sin(aperture / 2) wide, its apex at the middle of the lower border.
 [[nodiscard]] BareFan bare_fan(const FanShape& shape, int height);
+/// One of the display's height, or with a pixel for each bin, up to the greatest height of a display.
+[[nodiscard]] BareFan bare_fan(const FanShape& shape, const Display& display, double bin_length);
 
 /// Continuous beam coordinate of a sonar: b at the centre of beam b, linear between centres and out to the outer edges,
 /// which are at -0.5 and beam_count - 0.5. A gap between beams b and b + 1 is at b + 0.5.

@@ -25,6 +25,13 @@ void check_ping(const Ping& ping, const SonarConfig& sonar) {
   }
 }
 
+void check_numbers(const std::vector<std::uint16_t>& numbers, const SonarConfig& sonar) {
+  const std::size_t cells = static_cast<std::size_t>(sonar.beam_count) * static_cast<std::size_t>(sonar.bin_count);
+  if (numbers.size() != cells) {
+    throw Error(fmt::format("{}: there are {} numbers of bins, must be {}", sonar.name, numbers.size(), cells));
+  }
+}
+
 std::vector<float> clean_intensities(const Ping& ping) {
   std::vector<float> table = ping.intensity;
   std::replace_if(

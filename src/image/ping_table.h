@@ -12,6 +12,9 @@ namespace insonify {
 /// @throws Error unless the ping's table is complete and has the sonar's beams and bins.
 void check_ping(const Ping& ping, const SonarConfig& sonar);
 
+/// @throws Error unless there is a number for each beam and bin.
+void check_numbers(const std::vector<std::uint16_t>& numbers, const SonarConfig& sonar);
+
 /// The ping's intensities, in the same order, with NaN replaced by 0.
 [[nodiscard]] std::vector<float> clean_intensities(const Ping& ping);
 

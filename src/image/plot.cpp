@@ -83,9 +83,14 @@ PlotLayout lay_out_plot(const PlotAxes& axes, Page& page, int height) {
   return plot;
 }
 
-PlotLayout bare_plot(int height) {
-  const int width = static_cast<int>(std::lround(kShape * height));
+PlotLayout bare_plot(const Display& display, int columns, int bins) {
+  const int width = display.pixel_per_bin ? columns : static_cast<int>(std::lround(kShape * display.height));
+  const int height = display.pixel_per_bin ? bins : display.height;
   return {width, height, 0, 0, width, height};
+}
+
+PlotLayout plot_of(const PlotAxes& axes, Page& page, const Display& display, int columns, int bins) {
+  return display.annotations ? lay_out_plot(axes, page, display.height) : bare_plot(display, columns, bins);
 }
 
 void paint_column(Picture& picture, const PlotLayout& plot, int x, std::span<const float> profile, const Tone& tone) {

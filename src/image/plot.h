@@ -34,8 +34,10 @@ struct PlotLayout {
 
 /// Layout of a plot with axes on a picture of this height, which is 4/3 as wide.
 [[nodiscard]] PlotLayout lay_out_plot(const PlotAxes& axes, Page& page, int height);
-/// Layout of a plot without axes that fills its picture.
-[[nodiscard]] PlotLayout bare_plot(int height);
+/// Layout of a plot without axes that fills its picture: of the display's height, or with a pixel for each cell.
+[[nodiscard]] PlotLayout bare_plot(const Display& display, int columns, int bins);
+/// The layout for a display, with axes or without.
+[[nodiscard]] PlotLayout plot_of(const PlotAxes& axes, Page& page, const Display& display, int columns, int bins);
 
 /// Paints one column of the plot's pixels from the bins of a profile, the nearest bin at the bottom. Where bins are
 /// smaller than pixels, a pixel shows their mean. An empty profile is painted as not yet scanned.

@@ -10,6 +10,7 @@
 #include "image/canvas.h"
 #include "image/fan_frame.h"
 #include "image/fan_paint.h"
+#include "image/number_paint.h"
 #include "image/ping_table.h"
 #include "image/plot.h"
 #include "image/scales.h"
@@ -50,6 +51,10 @@ double head_angle_step(const SonarConfig& sonar, const FanShape& shape) {
   const double step = radial_step(shape.aperture(), sonar.head.mounting);
   return sonar.head.mounting == Mounting::kVertical && shape.aperture() > std::numbers::pi ? std::numbers::pi / 4
                                                                                            : step;
+}
+
+int steps_across(const SonarConfig& sonar, const FanShape& shape) {
+  return std::max(1, static_cast<int>(std::lround(shape.aperture() / std::abs(sonar.head.step))));
 }
 
 std::string count_text(std::size_t pings) {
@@ -112,7 +117,7 @@ Picture ScanView::draw(const Display& display) const {
   const FanCells cells{sonar_.bin_length(), ping_width(sonar_)};
   const Tone tone(display);
   if (!display.annotations) {
-    const BareFan fan = bare_fan(shape, display.height);
+    const BareFan fan = bare_fan(shape, display, sonar_.bin_length());
     Picture picture = blank_picture(fan.width, fan.height, palette::kBackground);
     paint_fan(picture, fan.geometry, shape, cells, tone, sample);
     return picture;
@@ -142,7 +147,7 @@ Picture ScanView::draw_polar(const Display& display) const {
         {(shape.high - *azimuth) / shape.aperture(), bearing_text(*azimuth, sonar_.head.mounting), *azimuth == 0});
   }
   Page page(display, heading_of(sonar_, count_text(head_angles_.size()), last_time_));
-  const PlotLayout plot = display.annotations ? lay_out_plot(axes, page, display.height) : bare_plot(display.height);
+  const PlotLayout plot = plot_of(axes, page, display, steps_across(sonar_, shape), sonar_.bin_count);
   Picture picture = blank_picture(plot.width, plot.height, palette::kBackground);
 
   const Tone tone(display);
@@ -156,6 +161,29 @@ Picture ScanView::draw_polar(const Display& display) const {
     draw_plot_frame(picture, plot, axes, page);
   }
   return picture;
+}
+
+NumberPicture ScanView::draw_numbers(const std::vector<std::vector<std::uint16_t>>& numbers,
+                                     const Display& display) const {
+  display.validate();
+  const FanShape shape = shape_of(sonar_);
+  const ScanSlots slots(head_angles_, sonar_.head.step, ping_width(sonar_));
+  return fan_numbers(shape, bare_fan(shape, display, sonar_.bin_length()), sonar_, [&](int bin, double azimuth) {
+    const int ping = slots.at(azimuth).ping;
+    return ping < 0 ? kNoLabel : numbers.at(static_cast<std::size_t>(ping)).at(static_cast<std::size_t>(bin));
+  });
+}
+
+NumberPicture ScanView::draw_polar_numbers(const std::vector<std::vector<std::uint16_t>>& numbers,
+                                           const Display& display) const {
+  display.validate();
+  const FanShape shape = shape_of(sonar_);
+  const ScanSlots slots(head_angles_, sonar_.head.step, ping_width(sonar_));
+  const PlotLayout plot = bare_plot(display, steps_across(sonar_, shape), sonar_.bin_count);
+  return plot_numbers(plot, sonar_.bin_count, [&](int bin, double across) {
+    const int ping = slots.at(shape.high - across * shape.aperture()).ping;
+    return ping < 0 ? kNoLabel : numbers.at(static_cast<std::size_t>(ping)).at(static_cast<std::size_t>(bin));
+  });
 }
 
 ProductView::ProductView(const SonarConfig& sonar) : sonar_(sonar) {

@@ -51,7 +51,7 @@ Picture Waterfall::draw(const Display& display) const {
   }
   Page page(display, heading_of(sonar_, counted(profiles_.size(), "ping"), last_time_));
   const PlotAxes axes{ping_ticks(numbers_), range_ticks(sonar_), "ping", "range (m)"};
-  const PlotLayout plot = display.annotations ? lay_out_plot(axes, page, display.height) : bare_plot(display.height);
+  const PlotLayout plot = plot_of(axes, page, display, static_cast<int>(profiles_.size()), sonar_.bin_count);
   Picture picture = blank_picture(plot.width, plot.height, palette::kBackground);
   const Tone tone(display);
   std::vector<float> mean;

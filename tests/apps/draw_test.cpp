@@ -1,6 +1,11 @@
 // draw_test.cpp -- `insonify draw`, and what pictures of a run show.
 
+#include <nlohmann/json.hpp>
+
 #include "apps/cli.h"
+#include "insonify/ground_truth.h"
+#include "insonify/recorded_pings.h"
+#include "insonify/stored_tables.h"
 
 namespace insonify::draw_test {
 namespace {
@@ -39,14 +44,84 @@ TEST_F(CliTest, DrawTakesThePingsThatAreNamed) {
   EXPECT_EQ(beyond.err, "insonify: run/ahead.h5: --ping 5 must be below 5, the number of its pings\n");
 }
 
-// Bytes 16 to 19 of a PNG are its width: the colour bar alone takes more than 60 pixels.
-TEST_F(CliTest, PlainPicturesHaveNoAxes) {
-  const Outcome outcome = shell(
-      "width() { od -An -j16 -N4 -tu1 $1/ahead_fan_0000.png | awk '{print 256 * $3 + $4}'; }; "
-      "insonify run fan.yaml -o run -q --no-pictures --pings 1 && insonify draw run/ahead.h5 -o axes >axes.txt && "
-      "insonify draw run/ahead.h5 -o plain --plain >plain.txt && [ $(width plain) -gt 200 ] && "
-      "[ $(width plain) -lt $(( $(width axes) - 60 )) ]");
-  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+// Bytes 16 to 23 of a PNG are its width and height.
+TEST_F(CliTest, PlainPicturesHaveAPixelForEachBinOrTheHeightAskedFor) {
+  const std::string size = "od -An -j16 -N8 -tu1 ";
+  const auto size_of = [&](const std::string& file) {
+    std::istringstream bytes(shell(size + file).out);
+    std::array<int, 8> byte{};
+    for (int& one : byte) {
+      bytes >> one;
+    }
+    return std::pair(256 * byte[2] + byte[3], 256 * byte[6] + byte[7]);
+  };
+  ASSERT_EQ(
+      shell("insonify run fan.yaml -o run -q --no-pictures --pings 1 --set 'sonars=[{name: ahead, beam_count: 24, "
+            "bin_count: 70, "
+            "azimuth_aperture_deg: 60, min_range: 1, max_range: 8}]' --set model=calibrated --set receiver.counts=true "
+            "--set receiver.full_scale_db=-60")
+          .status,
+      0);
+  ASSERT_EQ(shell("insonify draw run/ahead.h5 -o plain --plain").status, 0);
+  EXPECT_EQ(size_of("plain/ahead_polar_0000.png"), std::pair(24, 70));
+  EXPECT_EQ(size_of("plain/ahead_fan_0000.png"), std::pair(80, 80));  // 8 m of 0.1 m; 2 sin 30 degrees of them across.
+  ASSERT_EQ(shell("insonify draw run/ahead.h5 -o counted --plain --counts").status, 0);
+  EXPECT_EQ(size_of("counted/ahead_polar_0000.png"), std::pair(24, 70));
+  ASSERT_EQ(shell("insonify draw run/ahead.h5 -o tall --plain --height 300").status, 0);
+  EXPECT_EQ(size_of("tall/ahead_polar_0000.png"), std::pair(400, 300));
+  EXPECT_EQ(size_of("tall/ahead_fan_0000.png"), std::pair(300, 300));
+}
+
+TEST_F(CliTest, MasksHaveThePixelsOfPlainPictures) {
+  ASSERT_EQ(shell("insonify run fan.yaml -o run -q --no-pictures --pings 1").status, 0);
+  const Outcome outcome = shell("insonify draw run/ahead.h5 -o masks --masks");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(files("masks"),
+              ElementsAre("ahead_fan_0000.png", "ahead_instance_fan_0000.png", "ahead_instance_polar_0000.png",
+                          "ahead_labels.json", "ahead_material_fan_0000.png", "ahead_material_polar_0000.png",
+                          "ahead_polar_0000.png"));
+  EXPECT_EQ(
+      shell("for shape in fan polar; do for layer in instance material; do cmp <(od -An -j16 -N8 -tu1 "
+            "masks/ahead_${shape}_0000.png) <(od -An -j16 -N8 -tu1 masks/ahead_${layer}_${shape}_0000.png) || exit; "
+            "done; done")
+          .status,
+      0);
+  const GreyPicture mask = load_grey_picture("masks/ahead_instance_polar_0000.png");
+  const StoredTables tables("run/ahead.h5");
+  const auto names = nlohmann::json::parse(text_of("masks/ahead_labels.json"));
+  EXPECT_TRUE(names["instance"][0].is_null());
+  EXPECT_EQ(names["instance"][1], tables.texts("instance_names").at(0));
+  const StoredTable& table = *tables.find("instance");
+  ASSERT_EQ(mask.values.size(), table.shape[1] * table.shape[2]);
+  std::vector<std::uint16_t> labels(mask.values.size());
+  tables.read(table, std::array<TableSlice, 3>{{{0, 1}, {0, table.shape[1]}, {0, table.shape[2]}}},
+              std::as_writable_bytes(std::span(labels)));
+  int seen = 0;
+  for (std::size_t bin = 0; bin < table.shape[1]; ++bin) {
+    for (std::size_t beam = 0; beam < table.shape[2]; ++beam) {
+      const std::uint16_t label = labels[bin * table.shape[2] + beam];
+      const std::size_t row = table.shape[1] - 1 - bin;  // The farthest is at the top.
+      EXPECT_EQ(std::lround(255 * mask.values[row * table.shape[2] + beam]), label == kNoLabel ? 0 : label + 1);
+      seen += label == kNoLabel ? 0 : 1;
+    }
+  }
+  EXPECT_GT(seen, 0);
+  EXPECT_EQ(shell("insonify draw run/ahead.h5 -o masks --masks --force").status, 0);
+  ASSERT_EQ(shell("insonify run fan.yaml -o none -q --no-pictures --pings 1 --set ground_truth=none").status, 0);
+  EXPECT_EQ(shell("insonify draw none/ahead.h5 --masks").err,
+            "insonify: none/ahead.h5: --masks: there are no labels in it; HDF5 recordings of a scenario with "
+            "ground_truth: labels "
+            "have them\n");
+}
+
+TEST_F(CliTest, MasksOfAScanAreOfAllItsPings) {
+  ASSERT_EQ(shell("insonify run scan.yaml -o run -q --no-pictures && insonify draw run/around.h5 -o masks --masks "
+                  "--pictures last")
+                .status,
+            0);
+  EXPECT_THAT(files("masks"), ElementsAre("around_instance_polar.png", "around_instance_scan.png", "around_labels.json",
+                                          "around_material_polar.png", "around_material_scan.png", "around_polar.png",
+                                          "around_scan.png"));
 }
 
 TEST_F(CliTest, PicturesThatAreAllBlackAreToldOf) {

@@ -5,8 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <fstream>
 #include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
 
 #include "console/commands.h"
 #include "console/console.h"
@@ -14,6 +18,7 @@
 #include "insonify/recorded_pings.h"
 #include "insonify/recording_formats.h"
 #include "insonify/recording_info.h"
+#include "insonify/stored_tables.h"
 #include "pictures/output_folder.h"
 #include "pictures/pictures.h"
 
@@ -77,8 +82,37 @@ void tell_of_foreign(const RecordedPings& pings, const std::filesystem::path& fi
   }
 }
 
+// Labels of a recording that has them.
+struct Labels {
+  explicit Labels(const DrawOptions& options) : tables(options.recording, options.sonar) {
+    if (tables.find("instance") == nullptr || tables.find("material") == nullptr) {
+      throw InputError(fmt::format(
+          "{}: --masks: there are no labels in it; HDF5 recordings of a scenario with ground_truth: labels have them",
+          options.recording.string()));
+    }
+  }
+
+  [[nodiscard]] std::vector<std::uint16_t> of(const char* layer, std::uint64_t ping) const {
+    const StoredTable& table = *tables.find(layer);
+    std::vector<std::uint16_t> labels(table.shape.at(1) * table.shape.at(2));
+    const std::array<TableSlice, 3> slices{{{ping, 1}, {0, table.shape[1]}, {0, table.shape[2]}}};
+    tables.read(table, slices, std::as_writable_bytes(std::span(labels)));
+    return labels;
+  }
+
+  // Bits that hold every label.
+  [[nodiscard]] int bits() const {
+    constexpr std::size_t kMostOfEight = 255;
+    return std::max(tables.texts("instance_names").size(), tables.texts("material_names").size()) > kMostOfEight ? 16
+                                                                                                                 : 8;
+  }
+
+  StoredTables tables;
+};
+
 struct Recorded {
   RecordedPings pings;
+  std::optional<Labels> labels;
   SonarConfig sonar;
   PictureStyle style;
   PictureChoice choice;
@@ -90,11 +124,16 @@ Recorded open_recording(const DrawOptions& options) {
   const std::filesystem::path& file = options.recording;
   return checked_input([&] {
     RecordedPings pings(file, options.sonar);
+    std::optional<Labels> labels;
+    if (options.pictures.masks) {
+      labels.emplace(options);
+    }
     const SonarConfig sonar = pings.sonar_config();
     const PictureChoice choice = choice_of(options, pings);
-    const PictureStyle style =
-        is_foreign(pings) ? foreign_style(options, pings, choice)
-                          : picture_style(options.pictures, model_of(pings, file), pings.receiver_config(), sonar);
+    PictureStyle style = is_foreign(pings)
+                             ? foreign_style(options, pings, choice)
+                             : picture_style(options.pictures, model_of(pings, file), pings.receiver_config(), sonar);
+    style.mask_bits = labels ? labels->bits() : 0;
     if (!is_foreign(pings) && style.display.of_counts && pings.greatest_count() == 0) {
       throw InputError(fmt::format(
           "{}: --counts: there are none in it; MCAP recordings hold levels only, HDF5 ones both", file.string()));
@@ -112,7 +151,7 @@ Recorded open_recording(const DrawOptions& options) {
     if (!options.force) {
       refuse_earlier_pictures(folder, sonar.name);
     }
-    return Recorded{std::move(pings), sonar, style, choice, folder};
+    return Recorded{std::move(pings), std::move(labels), sonar, style, choice, folder};
   });
 }
 
@@ -123,6 +162,10 @@ Ping ping_of(const Recorded& recorded, std::uint64_t number) {
     if (recorded.style.display.of_counts && !is_foreign(recorded.pings)) {
       const std::vector<double> counts = recorded.pings.counts(number);
       ping.counts.assign(counts.begin(), counts.end());
+    }
+    if (recorded.labels) {
+      ping.instance = recorded.labels->of("instance", number);
+      ping.material = recorded.labels->of("material", number);
     }
     return ping;
   });
@@ -142,6 +185,24 @@ void draw_pings(const Recorded& recorded, PingPictures& pictures) {
   pictures.close();
 }
 
+// The names of masks' pixels: the first, of 0, is null.
+void write_names(const std::filesystem::path& path, const Labels& labels) {
+  nlohmann::ordered_json names;
+  for (const char* layer : {"instance", "material"}) {
+    names[layer] = {nullptr};
+    for (const std::string& name : labels.tables.texts(layer + std::string("_names"))) {
+      names[layer].push_back(name);
+    }
+  }
+  constexpr bool kAscii = false;
+  std::ofstream file(path, std::ios::binary);
+  file << names.dump(2, ' ', kAscii, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+  file.close();
+  if (!file) {
+    throw Error(fmt::format("{}: cannot write", path.string()));
+  }
+}
+
 void draw_sonar(const DrawOptions& options) {
   const Recorded recorded = open_recording(options);
   const std::string& name = recorded.sonar.name;
@@ -150,6 +211,9 @@ void draw_sonar(const DrawOptions& options) {
   PingPictures pictures(into, recorded.sonar, recorded.style, recorded.choice, recorded.pings.ping_count());
   draw_pings(recorded, pictures);
   into.put_in_place();
+  if (recorded.labels) {
+    write_names(recorded.folder / (name + "_labels.json"), *recorded.labels);
+  }
   for (const std::filesystem::path& file : pictures.files()) {
     say("{}\n", file.string());
   }
@@ -184,7 +248,11 @@ void add_draw_options(const Command& command, DrawOptions& options) {
   command.flag("-f,--force", &options.force, "Replace existing pictures of this sonar");
   add_picture_options(command.under("Pictures"), options.pictures);
   add_counts_option(command.under("Pictures"), options.pictures);
-  command.under("Pictures").flag("--plain", &options.pictures.plain, "No title, axes and colour bar");
+  command.under("Pictures")
+      .flag("--plain", &options.pictures.plain, "No title, axes and colour bar; without --height one pixel a bin");
+  command.under("Pictures")
+      .flag("--masks", &options.pictures.masks,
+            "Plain pictures, and beside each the instance and the material of every pixel");
 }
 
 void add_draw(const Command& program) {
@@ -200,11 +268,13 @@ void add_draw(const Command& program) {
       std::string(kDrawOrReplay) +
       "\nDraws the pictures that insonify run draws, without simulating anything: NAME_fan_0000.png and\n"
       "NAME_polar_0000.png of a fan, NAME_scan.png and NAME_polar.png of a scanning sonar, NAME_waterfall.png of a\n"
-      "side-scan sonar.\n\n"
+      "side-scan sonar. With --masks also NAME_instance_fan_0000.png, NAME_material_fan_0000.png and so on: grey,\n"
+      "0 for no echo, else the number of a name in NAME_labels.json.\n\n"
       "Examples:\n"
       "  insonify draw out/fls.h5 -o pictures --levels -90:-40\n"
       "  insonify draw dive.raw -o pictures --ping 0\n"
       "  insonify draw out/fls.h5 -o plain --plain --pictures all\n"
+      "  insonify draw out/fls.h5 -o labelled --masks --height 480 --colour-map grey\n"
       "  insonify draw out/fls.mcap -o pictures --ping 3 --colour-map copper --height 1080");
   command.act([&options] { return draw(options); });
 }

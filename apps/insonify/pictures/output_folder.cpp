@@ -24,7 +24,8 @@ constexpr std::string_view kUnfinished = ".new";
 }
 
 // Whether a file name is that of a run's picture, or of one left unfinished when a run was killed: "sonar_view.png",
-// "sonar_fan_0003.png" with at least four digits, "sonar_view.png.1f2e3d4c.new".
+// "sonar_fan_0003.png" with at least four digits, its mask "sonar_instance_fan_0003.png",
+// "sonar_view.png.1f2e3d4c.new".
 bool is_picture_of(const std::string& name, std::string_view file) {
   constexpr std::string_view kEnding = ".1f2e3d4c.new";
   if (file.ends_with(kUnfinished)) {
@@ -34,6 +35,9 @@ bool is_picture_of(const std::string& name, std::string_view file) {
     return false;
   }
   std::string_view kind = file.substr(name.size() + 1, file.size() - name.size() - 5);
+  for (const std::string_view mask : {"instance_", "material_"}) {
+    kind.remove_prefix(kind.starts_with(mask) ? mask.size() : 0);
+  }
   if (kind == "view" || kind == "channels" || kind == "scan" || kind == "polar") {
     return true;
   }
@@ -194,7 +198,16 @@ PictureFolder::~PictureFolder() {
 }
 
 std::filesystem::path PictureFolder::write(const std::string& file, const Picture& picture) {
-  write_png((collected_.empty() ? folder_ : collected_) / file, picture);
+  write_png(place() / file, picture);
+  return wrote(file);
+}
+
+std::filesystem::path PictureFolder::write(const std::string& file, const NumberPicture& picture, int bits) {
+  write_png(place() / file, picture, bits);
+  return wrote(file);
+}
+
+std::filesystem::path PictureFolder::wrote(const std::string& file) {
   written_.push_back(file);
   return folder_ / file;
 }
@@ -202,14 +215,14 @@ std::filesystem::path PictureFolder::write(const std::string& file, const Pictur
 void PictureFolder::discard() {
   for (const std::string& file : written_) {
     std::error_code ignored;
-    std::filesystem::remove((collected_.empty() ? folder_ : collected_) / file, ignored);
+    std::filesystem::remove(place() / file, ignored);
   }
   written_.clear();
 }
 
 std::size_t PictureFolder::put_in_place() {
   for (const std::string& file : written_) {
-    sync((collected_.empty() ? folder_ : collected_) / file);
+    sync(place() / file);
   }
   std::size_t removed = 0;
   for (const std::filesystem::path& picture : pictures_in(folder_, sonars_)) {

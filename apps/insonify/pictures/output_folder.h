@@ -51,6 +51,7 @@ class PictureFolder {
   /// Writes a picture.
   /// @return  Its path once it is in place.
   std::filesystem::path write(const std::string& file, const Picture& picture);
+  std::filesystem::path write(const std::string& file, const NumberPicture& picture, int bits);
 
   /// Removes the new pictures.
   void discard();
@@ -60,6 +61,9 @@ class PictureFolder {
   std::size_t put_in_place();
 
  private:
+  std::filesystem::path wrote(const std::string& file);
+  [[nodiscard]] const std::filesystem::path& place() const { return collected_.empty() ? folder_ : collected_; }
+
   std::filesystem::path folder_;
   std::vector<std::string> sonars_;
   std::filesystem::path collected_;  // Empty if pictures are written directly into the folder.

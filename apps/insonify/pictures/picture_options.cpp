@@ -41,8 +41,10 @@ PictureStyle picture_style(const PictureOptions& options, EchoModel model, const
     display.scale = options.scale == "db" ? Scale::kDecibel : Scale::kLinear;
   }
   display.floor_db = options.floor_db;
-  display.height = options.height;
-  display.annotations = !options.plain;
+  const bool plain = options.plain || options.masks;
+  display.height = options.height.value_or(display.height);
+  display.annotations = !plain;
+  display.pixel_per_bin = plain && !options.height;
   if (const auto levels = parsed_levels(options.levels)) {
     style.fixed_levels = true;
     display.of_one = model == EchoModel::kPaper;
@@ -69,6 +71,8 @@ PictureStyle picture_style(const PictureOptions& options, EchoModel model, const
     style.display = counts_display(sonar);
     style.display.colour_map = intensities.colour_map;
     style.display.height = intensities.height;
+    style.display.annotations = intensities.annotations;
+    style.display.pixel_per_bin = intensities.pixel_per_bin;
   }
   return style;
 }

@@ -19,12 +19,13 @@ namespace insonify {
 struct PictureOptions {
   std::string pictures = "20";  ///< "all", "last", "none" or the largest number of pings drawn of a fan.
   std::string colour_map = "inferno";
-  std::string scale;      ///< linear or db; "" for the model's default.
-  double floor_db = -50;  ///< [dB]
-  std::string levels;     ///< "LOW:HIGH" [dB]; "" to fit the pings.
-  int height = 720;       ///< [pixels]
-  bool counts = false;    ///< Draw counts instead of intensities.
-  bool plain = false;     ///< Only the picture itself: no title, axes and colour bar.
+  std::string scale;               ///< linear or db; "" for the model's default.
+  double floor_db = -50;           ///< [dB]
+  std::string levels;              ///< "LOW:HIGH" [dB]; "" to fit the pings.
+  std::optional<int> height = {};  ///< [pixels]; absent: 720, or with `plain` a pixel a bin.
+  bool counts = false;             ///< Draw counts instead of intensities.
+  bool plain = false;              ///< Only the picture itself: no title, axes and colour bar.
+  bool masks = false;              ///< Also the labels of each pixel, in the pixels of plain pictures.
 };
 
 /// Adds the options shared by all commands that draw pings.
@@ -40,6 +41,7 @@ struct PictureStyle {
   Display display = {};
   bool fixed_levels = false;  ///< Full scale is given, not fitted to pings.
   bool waterfall = false;     ///< Pings of a single beam that does not turn are drawn side by side.
+  int mask_bits = 0;          ///< Bits of the pixels of masks, which are drawn too; 0: none.
 };
 
 /// Levels of the calibrated model are decibels with gain by range, unless the receiver has applied such a gain.

@@ -45,6 +45,7 @@ PingPictures::PingPictures(PictureFolder& folder, const SonarConfig& sonar, cons
     : folder_(&folder),
       sonar_(sonar),
       model_(style.model),
+      mask_bits_(style.mask_bits),
       fixed_(style.fixed_levels),
       display_(style.display),
       choice_(std::move(choice)),
@@ -75,6 +76,10 @@ void PingPictures::add(std::size_t /*sonar*/, const Ping& ping) {
   if (scan_ != nullptr) {
     note_brightest();
     scan_->add(last_);
+    if (mask_bits_ > 0) {
+      instances_.push_back(last_.instance);
+      materials_.push_back(last_.material);
+    }
     if (due && ping.number + 1 < total_) {  // close() draws the last ping.
       draw_scan(fmt::format("scan_{:04}", ping.number), false);
     }
@@ -128,8 +133,15 @@ std::string PingPictures::darkness_text() const {
 
 void PingPictures::draw_fan_of_last() {
   note_brightest();
-  write(fmt::format("polar_{:04}", last_.number), draw_polar(last_, sonar_, display_));
-  write(fmt::format("fan_{:04}", last_.number), draw_fan(last_, sonar_, display_));
+  const std::string polar = fmt::format("polar_{:04}", last_.number), fan = fmt::format("fan_{:04}", last_.number);
+  write(polar, draw_polar(last_, sonar_, display_));
+  write(fan, draw_fan(last_, sonar_, display_));
+  if (mask_bits_ > 0) {
+    for (const auto& [layer, labels] : {std::pair("instance", &last_.instance), {"material", &last_.material}}) {
+      write_mask(layer, polar, draw_polar_numbers(*labels, sonar_, display_));
+      write_mask(layer, fan, draw_fan_numbers(*labels, sonar_, display_));
+    }
+  }
 }
 
 // One ping of a scan is not representative of the others: each picture is scaled to fit all that it shows.
@@ -141,6 +153,18 @@ void PingPictures::draw_scan(const std::string& name, bool polar) {
   if (polar) {
     write("polar", scan_->draw_polar(display_));
   }
+  if (mask_bits_ > 0) {
+    for (const auto& [layer, labels] : {std::pair("instance", &instances_), {"material", &materials_}}) {
+      write_mask(layer, name, scan_->draw_numbers(*labels, display_));
+      if (polar) {
+        write_mask(layer, "polar", scan_->draw_polar_numbers(*labels, display_));
+      }
+    }
+  }
+}
+
+void PingPictures::write_mask(const char* layer, const std::string& name, const NumberPicture& picture) {
+  files_.push_back(folder_->write(fmt::format("{}_{}_{}.png", sonar_.name, layer, name), picture, mask_bits_));
 }
 
 void PingPictures::write(const std::string& name, const Picture& picture) {

@@ -31,7 +31,8 @@ struct PictureChoice {
 
 /// Draws one sonar's pings into a folder. For a fan: NAME_polar_0000.png and NAME_fan_0000.png. For a scanning sonar:
 /// NAME_scan_0000.png, the scan up to a ping, and at the end NAME_scan.png and the waterfall NAME_polar.png. For a
-/// single beam that does not turn, if the style asks for it: NAME_waterfall.png, all pings.
+/// single beam that does not turn, if the style asks for it: NAME_waterfall.png, all pings. If the style asks for
+/// masks, NAME_instance_... and NAME_material_... beside each picture of a ping or scan.
 class PingPictures final : public PingSink {
  public:
   /// In the calibrated model the display may apply gain by range, or be that of counts. Unless the style fixes full
@@ -59,17 +60,20 @@ class PingPictures final : public PingSink {
   void draw_fan_of_last();
   void draw_scan(const std::string& name, bool polar);
   void write(const std::string& name, const Picture& picture);
+  void write_mask(const char* layer, const std::string& name, const NumberPicture& picture);
 
   PictureFolder* folder_;
   SonarConfig sonar_;
   EchoModel model_;
+  int mask_bits_ = 0;                    // 0: no masks.
   bool fixed_ = false, scaled_ = false;  // Full scale is given; full scale of a fan is fitted.
   Display display_;
   PictureChoice choice_;
   std::uint64_t total_ = 0;
-  std::unique_ptr<ScanView> scan_;        // Only for a scanning sonar.
-  std::unique_ptr<Waterfall> waterfall_;  // Only where the style asks for it.
-  Ping last_;                             // As it is drawn.
+  std::unique_ptr<ScanView> scan_;                                 // Only for a scanning sonar.
+  std::unique_ptr<Waterfall> waterfall_;                           // Only where the style asks for it.
+  std::vector<std::vector<std::uint16_t>> instances_, materials_;  // Of a scan with masks, by ping.
+  Ping last_;                                                      // As it is drawn.
   bool last_drawn_ = true;
   double brightest_ = 0;                                      // Largest intensity drawn.
   double darkest_ = std::numeric_limits<double>::infinity();  // The least.
