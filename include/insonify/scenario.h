@@ -244,7 +244,7 @@ struct Scenario {
 template <typename Self, typename Visit>
 void Scenario::visit_parts(Self& self, Visit&& visit) {
   visit(Part{"water", "map", "The water: see `water`.", "The water, the same everywhere."}, self.water);
-  visit(Part{"materials", "map of material or visual names", "What surfaces are made of: see `materials`.",
+  visit(Part{"materials", "map of object names", "What surfaces are made of: see `materials`.",
              "One entry for each name of a visual or a material: `hull: steel` or `hull: {like: steel, lambert_db: "
              "-15}`."},
         self.materials.overrides);
