@@ -123,6 +123,7 @@ PUBLIC = {
     "messages.h": "io",
     "mcap_recording.h": "io",
     "ping_sink.h": "io",
+    "marker.h": "io",
     "recording_formats.h": "io",
     "export.h": "io",
     "recording_info.h": "io",

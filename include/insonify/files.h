@@ -208,8 +208,10 @@ class Recording final : public PingSink {
   void add(const Ping& ping);
   void add(std::size_t /*sonar*/, const Ping& ping) override { add(ping); }
 
+  void mark(const std::vector<Marker>& markers) override;
+
   /// Flushes everything to disk and replaces an existing file; nothing can be added afterwards. The destructor does the
-  /// same without reporting errors, but does not replace an existing file.
+  /// same without reporting errors, without markers and without replacing an existing file.
   /// @throws Error for a failure of the system.
   void close() override;
 

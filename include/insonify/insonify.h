@@ -26,6 +26,7 @@
 #include "insonify/interrupted.h"
 #include "insonify/live_loop.h"
 #include "insonify/log.h"
+#include "insonify/marker.h"
 #include "insonify/material.h"
 #include "insonify/mcap_recording.h"
 #include "insonify/mesh.h"

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "insonify/log.h"
+#include "insonify/marker.h"
 #include "insonify/messages.h"
 #include "insonify/ping.h"
 #include "insonify/ping_request.h"
@@ -99,6 +100,8 @@ class LiveListener {
   virtual void on_clock(double /*time*/) {}
   /// Called when the files of a recording are closed, complete or not.
   virtual void on_recorded(const LiveRecording& /*recording*/) {}
+  /// What an operator has marked so far; asked for when a recording is closed, which keeps it.
+  [[nodiscard]] virtual std::vector<Marker> marked() { return {}; }
 };
 
 /// State of a LiveLoop.
@@ -107,7 +110,7 @@ struct LiveState {
   bool follows = true;               ///< Whether the vehicle follows the scenario's trajectory; else it is steered.
   double speed = 1;                  ///< Scenario time per real time, if the machine keeps up.
   std::string recording;             ///< File or files being written, "": none.
-  std::uint64_t recorded_pings = 0;  ///< In these files.
+  std::uint64_t recorded_pings = 0;  ///< In these files; 0 while nothing is recorded.
   std::string recording_error;       ///< Why a recording is incomplete, "": none failed.
   std::uint64_t pings_made = 0;      ///< Since the start of the loop.
   std::uint64_t pings_since_change = 0;
@@ -226,6 +229,7 @@ class LiveLoop {
   /// listener gets a note of values clipped in an MCAP recording: SonarMessages::cut_text().
   /// @param replace  Whether existing files are replaced, once the recording's files are closed.
   void record(const std::filesystem::path& path, Done done, bool replace = false);
+  /// Ends the recording, or the last one requested if it has not begun yet.
   void stop_recording(Done done);
 
   /// The scenario since the last restart as a scenario file, see above.

@@ -24,7 +24,7 @@ struct RunFacts {
   std::string engine = "cpu";
   std::uint64_t seed = 1;
 
-  /// Names of the scene's instances and materials, by their labels in an HDF5 recording.
+  /// Names of the scene's instances, "" for removed ones, and materials, by their labels in an HDF5 recording.
   std::vector<std::string> instance_names = {}, material_names = {};
 };
 
@@ -58,6 +58,8 @@ class McapRecording final : public PingSink {
   /// @param sonar  Index into the sources.
   /// @throws Error if the disk is full, with earlier pings readable; for a ping that SonarMessages refuses.
   void add(std::size_t sonar, const Ping& ping) override;
+
+  void mark(const std::vector<Marker>& markers) override;
 
   /// Writes the index, flushes everything to disk and replaces an existing file. The destructor does the same without
   /// reporting errors, but does not replace an existing file.

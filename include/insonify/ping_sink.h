@@ -4,7 +4,9 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <vector>
 
+#include "insonify/marker.h"
 #include "insonify/ping.h"
 
 namespace insonify {
@@ -17,6 +19,9 @@ class PingSink {
   /// @param sonar  Index into the sonars that the sink was made for.
   /// @throws Error when the disk is full; what was written before stays readable.
   virtual void add(std::size_t sonar, const Ping& ping) = 0;
+
+  /// Markers that close() adds, in place of earlier ones; pictures and videos have none.
+  virtual void mark(const std::vector<Marker>& /*markers*/) {}
 
   /// Puts everything in place; nothing more can be added.
   /// @throws Error when the system could not.

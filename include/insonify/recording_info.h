@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "insonify/marker.h"
 #include "insonify/messages.h"
 #include "insonify/sonar_config.h"
 
@@ -60,6 +61,7 @@ struct RecordingInfo {
       {};                     ///< Time 0 of the pings, since 1970-01-01T00:00:00Z [ns]; absent: unknown.
   std::string scenario = {};  ///< Text of the scenario file.
   std::vector<RecordedSonar> sonars = {};
+  std::vector<Marker> markers = {};
   std::vector<std::string> contents = {};  ///< Tables of an HDF5 file, topics of an MCAP file.
 };
 

@@ -172,7 +172,23 @@ void add_axes(RecordedClass& recorded) {
           "Names by index in `instance`.")
       .def_property_readonly(
           "material_names", [](const PythonRecording& self) { return self.tables.texts("material_names"); },
-          "Names by index in `material`.");
+          "Names by index in `material`.")
+      .def_property_readonly(
+          "markers",
+          [](const PythonRecording& self) {
+            std::vector<std::map<std::string, py::object>> markers;
+            for (const Marker& marker : recording_info(self.path).markers) {
+              const Vec3& at = marker.position;
+              markers.push_back({{"name", py::str(marker.name)},
+                                 {"position", py::make_tuple(at.x(), at.y(), at.z())},
+                                 {"time", py::float_(marker.time)},
+                                 {"sonar", py::str(marker.sonar)},
+                                 {"ping", py::int_(marker.ping)}});
+            }
+            return markers;
+          },
+          "What an operator has marked in the viewer, a list of dicts: name; position, x, y and z in the world in "
+          "metres; and time in seconds, name of the sonar and number of the ping on which it was marked.");
 }
 
 }  // namespace

@@ -57,6 +57,9 @@ RecordingInfo info_of_tables(const std::filesystem::path& path) {
   }
   for (const RecordedNames& names : tables.names()) {
     info.contents.push_back(names.name);
+    if (names.name == "markers" && !info.version.empty()) {  // Else it is another program's.
+      info.markers = markers_from_texts(names.texts);
+    }
   }
   info.sonars.push_back(std::move(sonar));
   return info;
@@ -84,6 +87,10 @@ RecordingInfo info_of_mcap(const std::filesystem::path& path) {
       sonar.last_time = pings.time(sonar.pings - 1);
     }
     info.sonars.push_back(std::move(sonar));
+  }
+  if (const auto marked = file.metadata().find(mcap_metadata::kMarked); marked != file.metadata().end()) {
+    info.markers = markers_from_texts(
+        nlohmann::json::parse(marked->second.at(mcap_metadata::kMarkers)).get<std::vector<std::string>>());
   }
   for (const auto& [topic, type] : file.topics()) {
     info.contents.push_back(topic + " " + type);

@@ -144,7 +144,7 @@ void LiveRecorder::write_scenario(const LiveRun& run) {
   scenario_due_ = Clock::now() + std::max<Clock::duration>(kBetween, kShare * taken);
 }
 
-void LiveRecorder::close(const LiveRun& run) {
+void LiveRecorder::close(const LiveRun& run, const std::vector<Marker>& markers) {
   if (pings_ == 0) {
     remove();
     return;
@@ -158,6 +158,7 @@ void LiveRecorder::close(const LiveRun& run) {
     }
   };
   for (const auto& sink : sinks_) {
+    sink->mark(markers);
     try_to([&] { sink->close(); });
   }
   if (!whole_ || !error.empty()) {

@@ -33,10 +33,10 @@ class LiveRecorder {
   /// recording is to be replaced. Failures are ignored: close() fails too and reports them.
   void write_scenario(const LiveRun& run);
 
-  /// Closes the files and writes the scenario of the run beside them, even if a file could not be closed completely;
-  /// removes files without pings.
+  /// Closes the files with the markers and writes the scenario of the run beside them, even if a file could not be
+  /// closed completely; removes files without pings.
   /// @throws Error for a failure of the system.
-  void close(const LiveRun& run);
+  void close(const LiveRun& run, const std::vector<Marker>& markers);
 
   [[nodiscard]] std::uint64_t pings() const { return pings_; }
   /// The finished recording, once closed.

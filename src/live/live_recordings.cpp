@@ -19,7 +19,7 @@ void LiveLoop::State::end_recording(Lock& lock) {
   lock.unlock();
   std::string error;
   try {
-    ended->close(run_of_it);
+    ended->close(run_of_it, listener->marked());
   } catch (const std::exception& failure) {
     error = failure.what();
     note("the recording: " + error);
@@ -40,7 +40,7 @@ void LiveLoop::State::fail_recording(const std::string& error, Lock& lock) {
   note("the recording ends here: " + error);
   try {
     if (ended) {
-      ended->close(run_of_it);
+      ended->close(run_of_it, listener->marked());
     }
   } catch (const std::exception& failure) {
     if (failure.what() != error) {

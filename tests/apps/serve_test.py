@@ -7,10 +7,11 @@ serve_test.py INSONIFY
 import json
 import socket
 import struct
+import subprocess
 import time
 import unittest
 
-from serve_client import VIEWER, Server, Socket
+from serve_client import INSONIFY, VIEWER, Server, Socket
 
 
 class Serving(unittest.TestCase):
@@ -254,7 +255,13 @@ class Serving(unittest.TestCase):
         one.say(op="record", on=False)
         while "; markers: " not in (note := one.text("note")["text"]):
             pass
-        kept = json.loads((self.server.path / note.split("; markers: ")[1]).read_text())
+        beside = self.server.path / note.split("; markers: ")[1]
+        kept = json.loads(beside.read_text())
+        recording = beside.with_name(beside.name.replace("-markers.geojson", "-fls.h5"))
+        info = subprocess.run([INSONIFY, "info", recording], capture_output=True, text=True, check=True).stdout
+        self.assertIn("\n  1 marker: wreck\n", info)
+        info = json.loads(subprocess.run([INSONIFY, "info", "--json", recording], capture_output=True, check=True).stdout)
+        self.assertEqual(info[0]["markers"], [marker])
         position = marker.pop("position")
         self.assertEqual(kept["features"], [{"type": "Feature", "geometry": {"type": "Point", "coordinates": position}, "properties": marker}])
         one.say(op="mark", markers=[])

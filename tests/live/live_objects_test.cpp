@@ -5,6 +5,7 @@
 #include "insonify/files.h"
 #include "insonify/live_loop.h"
 #include "insonify/simulator.h"
+#include "insonify/stored_tables.h"
 #include "live/live_pings.h"
 #include "support/same_pings.h"
 #include "support/working_folder.h"
@@ -170,6 +171,22 @@ TEST_F(LiveObjectsTest, ARecordingGoesOnInAFurtherFile) {
   EXPECT_EQ(recordings[1].pings, 4U);
   EXPECT_EQ(recordings[1].files[0], "out-2-fls.h5");
   EXPECT_TRUE(std::filesystem::exists("out-fls.h5") && std::filesystem::exists("out-2-fls.h5"));
+}
+
+TEST_F(LiveObjectsTest, ARecordingBegunAfterAnObjectIsGoneDoesNotNameIt) {
+  loop_->change_objects({.added = scene_of({sphere("a", 7, false), sphere("b", 5, false)})});
+  (void)next();
+  loop_->change_objects({.removed = {"a"}});
+  (void)next();
+  for (const char* file : {"out.h5", "other.mcap"}) {
+    EXPECT_EQ(answer_to([&](const LiveLoop::Done& done) { loop_->record(file, done); }), "");
+    wait_for_first();
+    (void)next();
+    EXPECT_EQ(answer_to([&](const LiveLoop::Done& done) { loop_->stop_recording(done); }), "");
+  }
+  loop_->end();
+  EXPECT_THAT(StoredTables("out-fls.h5").texts("instance_names"), testing::ElementsAre("", "b"));
+  EXPECT_THAT(StoredTables("other.mcap", "fls").texts("instance_names"), testing::ElementsAre("", "b"));
 }
 
 TEST_F(LiveObjectsTest, SonarsMayBeCarriedByDifferentThings) {

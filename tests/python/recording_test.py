@@ -28,6 +28,20 @@ class RecordingTest(unittest.TestCase):
                     recording.add(sim.ping(theirs.stem, number=number))
             self.assertEqual(pathlib.Path(folder, "ours.h5").read_bytes(), theirs.read_bytes())
 
+    def test_markers_of_an_operator_are_read(self):
+        import h5py
+
+        with tempfile.TemporaryDirectory() as folder:
+            path = f"{folder}/r.h5"
+            sim = simulator()
+            with insonify.Recording(path, sim) as recording:
+                recording.add(sim.ping())
+            self.assertEqual(insonify.open(path).markers, [])
+            with h5py.File(path, "a") as file:
+                file["markers"] = ['{"name": "wreck", "position": [1, 2, -3.5], "time": 4.5, "sonar": "fls", "ping": 9}']
+            self.assertEqual(insonify.open(path).markers,
+                             [{"name": "wreck", "position": (1.0, 2.0, -3.5), "time": 4.5, "sonar": "fls", "ping": 9}])
+
     def test_the_scenario_told_is_the_one_that_was_run(self):
         import h5py
 

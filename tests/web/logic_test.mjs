@@ -5,6 +5,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import path from "node:path";
 import { runChecks, sourceRoot } from "./checks.mjs";
+import { Camera, screenPlace } from "../page/js/draw/camera.js";
 import { drawGraticule } from "../page/js/draw/graticule.js";
 import { makePlan } from "../page/js/draw/plan.js";
 import { RoundPicture } from "../page/js/draw/round.js";
@@ -213,6 +214,19 @@ const failed = await runChecks({
     assert.equal(rulerText(figures), "6.14 m   heading 000°   height by shadow 2.50 m");
     assert.equal(rulerFigures(pose, top, worldPoint(sonar, pose, { range: 20, azimuth: 0.2 }, undefined, 0), 10).rise, null);
     assert.equal(rulerFigures(pose, top, end, NaN).rise, null);
+  },
+
+  async "the 3-D view has points of the world where its camera sees them"() {
+    const camera = new Camera();
+    camera.pitch = 0;  // Level, from -x: y is to the left.
+    camera.place(null, 2);
+    const close = (found, expected) => found.forEach((each, i) => assert.ok(Math.abs(each - expected[i]) < 1e-2, `${found} is not ${expected}`));
+    const perMetre = 50 / (camera.distance * Math.tan(radians(24)));  // The field of view is 48 degrees high.
+    close(screenPlace(camera, [0, 0, 0], 200, 100), [100, 50]);
+    close(screenPlace(camera, [0, 1, 0], 200, 100), [100 - perMetre, 50]);
+    close(screenPlace(camera, [0, 0, 1], 200, 100), [100, 50 - perMetre]);
+    assert.equal(screenPlace(camera, [-2 * camera.distance, 0, 0], 200, 100), null, "behind it");
+    assert.equal(screenPlace(camera, [0, 4 * camera.distance, 0], 200, 100), null, "beside the picture");
   },
 
   async "markers have names of their own, and are written as CSV and GeoJSON"() {

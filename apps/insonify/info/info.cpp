@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "console/commands.h"
 #include "console/console.h"
 #include "console/outcome.h"
+#include "insonify/printable.h"
 #include "insonify/recorded_pings.h"
 #include "insonify/recording_formats.h"
 #include "insonify/recording_info.h"
@@ -36,6 +39,13 @@ void print_sonar(const RecordedSonar& sonar) {
   }
 }
 
+std::string names_of(const std::vector<Marker>& markers) {
+  std::vector<std::string> names;
+  std::ranges::transform(markers, std::back_inserter(names),
+                         [](const Marker& marker) { return printable(marker.name); });
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
 void print(const std::filesystem::path& path, const RecordingInfo& info) {
   const std::string state = state_text(info.state, info.format);
   say("{}: {}, {:.1f} MB{}{}\n", path.string(), info.format, static_cast<double>(info.bytes) / 1e6,
@@ -49,6 +59,9 @@ void print(const std::filesystem::path& path, const RecordingInfo& info) {
   }
   for (const RecordedSonar& sonar : info.sonars) {
     print_sonar(sonar);
+  }
+  if (!info.markers.empty()) {
+    say("  {}: {}\n", counted(info.markers.size(), "marker"), names_of(info.markers));
   }
   const std::string contents = fmt::format("{}", fmt::join(info.contents, ", "));
   say("  holds {}\n", contents);
@@ -110,6 +123,10 @@ nlohmann::ordered_json json_of(const std::filesystem::path& path, const Recordin
   }
   for (const RecordedSonar& sonar : info.sonars) {
     object["sonars"].push_back(json_of(sonar));
+  }
+  object["markers"] = nlohmann::ordered_json::array();
+  for (const Marker& marker : info.markers) {
+    object["markers"].push_back(nlohmann::ordered_json::parse(marker_text(marker)));
   }
   object["contents"] = info.contents;
   object["scenario"] = info.scenario;

@@ -13,10 +13,11 @@
 
 namespace insonify {
 
-RecordingPlayer::RecordingPlayer(RecordedRun& run, std::string name, bool paused)
+RecordingPlayer::RecordingPlayer(RecordedRun& run, std::string name, std::vector<Marker> markers, bool paused)
     : run_(run),
       moments_(run.moments()),
       name_(std::move(name)),
+      markers_(std::move(markers)),
       paused_(paused),
       goal_(moments_.front().time),
       anchor_time_(moments_.front().time) {}

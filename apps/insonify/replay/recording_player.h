@@ -17,9 +17,10 @@ namespace insonify {
 /// Pauses at the end; resuming from there restarts.
 class RecordingPlayer : public PingSource, public Playback {
  public:
-  /// @param name    For the viewer.
-  /// @param paused  Whether it starts paused.
-  RecordingPlayer(RecordedRun& run, std::string name, bool paused);
+  /// @param name     For the viewer.
+  /// @param markers  Of the recording.
+  /// @param paused   Whether it starts paused.
+  RecordingPlayer(RecordedRun& run, std::string name, std::vector<Marker> markers, bool paused);
   ~RecordingPlayer() override { RecordingPlayer::end(); }
   RecordingPlayer(const RecordingPlayer&) = delete;
   RecordingPlayer& operator=(const RecordingPlayer&) = delete;
@@ -31,6 +32,7 @@ class RecordingPlayer : public PingSource, public Playback {
   void step(int sonar) override;
   void set_speed(double factor) override;
   [[nodiscard]] Playback* playback() override { return this; }
+  [[nodiscard]] std::vector<Marker> marked() const override { return markers_; }
 
   [[nodiscard]] const std::string& name() const override { return name_; }
   [[nodiscard]] std::uint64_t ping_count() const override { return moments_.size(); }
@@ -55,6 +57,7 @@ class RecordingPlayer : public PingSource, public Playback {
   RecordedRun& run_;
   std::span<const RecordedMoment> moments_;
   std::string name_;
+  std::vector<Marker> markers_;
   LiveListener* listener_ = nullptr;
 
   mutable std::mutex mutex_;  // Guards the members below.

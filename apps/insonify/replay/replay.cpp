@@ -45,7 +45,8 @@ int replay(const ReplayOptions& options) {
     check_replayed(options.run.files);
     return RecordedRun(options.run, log_to_user(true));
   });
-  RecordingPlayer player(run, name_of(options.run.files), options.paused);
+  RecordingPlayer player(run, name_of(options.run.files), recording_info(options.run.files.front()).markers,
+                         options.paused);
   player.set_speed(options.speed);
   server.show(player, options.run.files.front());
   if (!options.server.quiet) {

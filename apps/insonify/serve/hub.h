@@ -54,13 +54,14 @@ class Hub : public LiveListener {
   /// @param recording  File name from which names of recordings are derived.
   /// @param quiet      Do not print finished recordings on the terminal.
   Hub(PingSource& source, NetServer& server, std::filesystem::path recording, bool quiet)
-      : source_(source), server_(server), recording_(std::move(recording)), quiet_(quiet) {}
+      : source_(source), server_(server), recording_(std::move(recording)), quiet_(quiet), markers_(source.marked()) {}
 
   // For the source's threads. These print on the terminal at once, since the server's thread may have ended.
   void on_ping(const std::shared_ptr<const LivePing>& ping) override;
   void on_world(const std::shared_ptr<const LiveWorld>& world) override;
   void on_note(const std::string& text) override;
   void on_recorded(const LiveRecording& recording) override;
+  [[nodiscard]] std::vector<Marker> marked() override { return markers_.all(); }
 
   // For the server's thread.
   void join(HubMember& member) { members_.insert(&member); }

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "serve/json_messages.h"
@@ -11,7 +12,7 @@
 namespace insonify {
 namespace {
 
-Json checked_marker(const nlohmann::json& given) {
+Marker checked_marker(const nlohmann::json& given) {
   constexpr std::size_t kLongest = 200;
   if (!given.is_object()) {
     throw FormError("a marker must be an object");
@@ -20,12 +21,12 @@ Json checked_marker(const nlohmann::json& given) {
   if (name.size() > kLongest) {
     throw Error(fmt::format("the name of a marker has {} bytes; the most are {}", name.size(), kLongest));
   }
-  const Eigen::VectorXd at = numbers_of(given, "position", 3);
-  return {{"name", name},
-          {"position", {at[0], at[1], at[2]}},
-          {"time", number_of(given, "time")},
-          {"sonar", text_of(given, "sonar")},
-          {"ping", number_of(given, "ping")}};
+  constexpr double kMostPings = 1e15;
+  return {.name = name,
+          .position = numbers_of(given, "position", 3),
+          .time = number_of(given, "time"),
+          .sonar = text_of(given, "sonar"),
+          .ping = static_cast<std::uint64_t>(std::clamp(number_of(given, "ping"), 0.0, kMostPings))};
 }
 
 }  // namespace
@@ -39,7 +40,7 @@ void Markers::set(const nlohmann::json& message) {
   if (given.size() > kMost) {
     throw Error(fmt::format("{} markers are too many; the most are {}", given.size(), kMost));
   }
-  Json markers = Json::array();
+  std::vector<Marker> markers;
   for (const nlohmann::json& marker : given) {
     markers.push_back(checked_marker(marker));
   }
@@ -47,25 +48,26 @@ void Markers::set(const nlohmann::json& message) {
   markers_ = std::move(markers);
 }
 
-bool Markers::empty() const {
+std::vector<Marker> Markers::all() const {
   const std::lock_guard lock(mutex_);
-  return markers_.empty();
+  return markers_;
 }
 
 std::string Markers::text() const {
-  const std::lock_guard lock(mutex_);
-  return dumped({{"op", "markers"}, {"markers", markers_}});
+  Json markers = Json::array();
+  for (const Marker& marker : all()) {
+    markers.push_back(Json::parse(marker_text(marker)));
+  }
+  return dumped({{"op", "markers"}, {"markers", markers}});
 }
 
 std::string Markers::write_beside(const std::filesystem::path& scenario) const {
   Json features = Json::array();
-  {
-    const std::lock_guard lock(mutex_);
-    for (Json properties : markers_) {
-      const Json geometry = {{"type", "Point"}, {"coordinates", properties["position"]}};
-      properties.erase("position");
-      features.push_back({{"type", "Feature"}, {"geometry", geometry}, {"properties", properties}});
-    }
+  for (const Marker& marker : all()) {
+    Json properties = Json::parse(marker_text(marker));
+    const Json geometry = {{"type", "Point"}, {"coordinates", properties["position"]}};
+    properties.erase("position");
+    features.push_back({{"type", "Feature"}, {"geometry", geometry}, {"properties", properties}});
   }
   if (features.empty()) {
     return "";

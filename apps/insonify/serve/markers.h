@@ -6,19 +6,24 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
+
+#include "insonify/marker.h"
 
 namespace insonify {
 
 /// The markers of a session. All functions may be called from any thread.
 class Markers {
  public:
+  explicit Markers(std::vector<Marker> markers) : markers_(std::move(markers)) {}
+
   /// Replaces all markers by those of a message: {"markers": [{"name", "position": [x, y, z], "time", "sonar",
   /// "ping"}...]}.
   /// @throws FormError for a member of the wrong type, Error for more than 1000 markers or a name of more than 200
   /// bytes.
   void set(const nlohmann::json& message);
 
-  [[nodiscard]] bool empty() const;
+  [[nodiscard]] std::vector<Marker> all() const;
   /// The message {"op": "markers", "markers"}.
   [[nodiscard]] std::string text() const;
 
@@ -29,7 +34,7 @@ class Markers {
 
  private:
   mutable std::mutex mutex_;
-  nlohmann::ordered_json markers_ = nlohmann::ordered_json::array();
+  std::vector<Marker> markers_;
 };
 
 }  // namespace insonify

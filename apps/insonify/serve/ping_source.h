@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "insonify/live_loop.h"
 
@@ -48,6 +49,8 @@ class PingSource {
   [[nodiscard]] virtual LiveLoop* simulation() { return nullptr; }
   /// The recording; null for a simulation.
   [[nodiscard]] virtual Playback* playback() { return nullptr; }
+  /// Markers that a recording has.
+  [[nodiscard]] virtual std::vector<Marker> marked() const { return {}; }
 };
 
 }  // namespace insonify

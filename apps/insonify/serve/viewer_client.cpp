@@ -67,7 +67,7 @@ class ViewerClient : public Client, public HubMember, public std::enable_shared_
       scene_ = hub_.scene();
       connection_.send({.bytes = scene_, .binary = true});
     }
-    if (!hub_.markers().empty()) {
+    if (!hub_.markers().all().empty()) {
       send(hub_.markers().text());
     }
     on_state();

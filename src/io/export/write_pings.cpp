@@ -56,6 +56,11 @@ void write_pings(RecordedSonars recordings, PingSink& sink, const ExportOptions&
     sink.add(static_cast<std::size_t>(next - sources.data()), next->ping);
     next->advance();
   }
+  const auto& names = recordings.front()->names();
+  const auto markers = std::ranges::find(names, "markers", &RecordedNames::name);
+  if (markers != names.end()) {
+    sink.mark(markers_from_texts(markers->texts));
+  }
   sink.close();
 }
 

@@ -11,6 +11,10 @@ inline constexpr const char* kOfSonar = "insonify/";  ///< ... and one for each 
 inline constexpr const char* kEnd = "insonify:end";
 inline constexpr const char* kReason = "reason";  ///< The system's, as "No space left on device".
 
+/// What an operator has marked: an entry with a JSON list of marker_text()s.
+inline constexpr const char* kMarked = "insonify:markers";
+inline constexpr const char* kMarkers = "markers";
+
 inline constexpr const char* kVersion = "version";
 inline constexpr const char* kModel = "model";
 inline constexpr const char* kEngine = "engine";

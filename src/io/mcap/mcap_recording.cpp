@@ -20,6 +20,11 @@
 namespace insonify {
 namespace {
 
+std::string list_text(const std::vector<std::string>& texts) {
+  constexpr bool kAscii = false;
+  return nlohmann::json(texts).dump(-1, ' ', kAscii, nlohmann::json::error_handler_t::replace);
+}
+
 std::map<std::string, std::string> texts_about(const RunFacts& run, const MessageSource& source,
                                                std::optional<std::uint64_t> start_ns) {
   std::map<std::string, std::string> texts = {{mcap_metadata::kVersion, run.version},
@@ -30,9 +35,8 @@ std::map<std::string, std::string> texts_about(const RunFacts& run, const Messag
     texts[mcap_metadata::kStart] = start_text(*start_ns);
   }
   const auto add = [&](const char* key, const std::vector<std::string>& names) {
-    constexpr bool kAscii = false;
     if (!names.empty()) {
-      texts[key] = nlohmann::json(names).dump(-1, ' ', kAscii, nlohmann::json::error_handler_t::replace);
+      texts[key] = list_text(names);
     }
   };
   add(mcap_metadata::kInstances, run.instance_names);
@@ -67,13 +71,14 @@ struct McapRecording::State {
   McapWriter file;
   std::filesystem::path path;
   Log log;
+  std::vector<Marker> markers = {};
   std::vector<std::vector<std::uint16_t>> channels = {};  // In the file, by sonar and channel of the sonar.
 };
 
 RunFacts run_facts(const Scenario& scenario, const Scene& scene) {
   RunFacts facts{.engine = scenario.engine, .seed = scenario.seed};
   for (const Instance& instance : scene.instances) {
-    facts.instance_names.push_back(instance.name);
+    facts.instance_names.push_back(instance.present ? instance.name : "");
   }
   for (const Material& material : scene.materials) {
     facts.material_names.push_back(material.name);
@@ -133,7 +138,14 @@ void McapRecording::add(std::size_t sonar, const Ping& ping) {
   state_->file.add(time_ns, encoded);
 }
 
+void McapRecording::mark(const std::vector<Marker>& markers) {
+  state_->markers = markers;
+}
+
 void McapRecording::close() {
+  if (const std::vector<Marker> markers = std::exchange(state_->markers, {}); !markers.empty()) {
+    state_->file.add_metadata(mcap_metadata::kMarked, {{mcap_metadata::kMarkers, list_text(marker_texts(markers))}});
+  }
   state_->file.close();
   state_->messages.warn_of_clipping(state_->path, std::exchange(state_->log, {}));  // Once.
 }

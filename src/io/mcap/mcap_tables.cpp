@@ -88,18 +88,23 @@ McapTables::McapTables(const std::filesystem::path& path, const std::string& son
 }
 
 void McapTables::add_names() {
-  const std::map<std::string, std::string>& run = pings_.file().metadata().at(mcap_metadata::kRun);
-  for (const char* key : {mcap_metadata::kInstances, mcap_metadata::kMaterials}) {
-    const auto found = run.find(key);
-    if (found == run.end()) {
-      continue;
+  const auto& metadata = pings_.file().metadata();
+  const auto add = [this](const std::map<std::string, std::string>& texts, const char* key) {
+    const auto found = texts.find(key);
+    if (found == texts.end()) {
+      return;
     }
     try {
       names_.push_back({key, nlohmann::json::parse(found->second).get<std::vector<std::string>>()});
     } catch (const nlohmann::json::exception&) {
       throw Error(fmt::format("{}: its metadata {} must be a list of texts", path_.string(), key));
     }
+  };
+  add(metadata.at(mcap_metadata::kRun), mcap_metadata::kInstances);
+  if (const auto marked = metadata.find(mcap_metadata::kMarked); marked != metadata.end()) {
+    add(marked->second, mcap_metadata::kMarkers);
   }
+  add(metadata.at(mcap_metadata::kRun), mcap_metadata::kMaterials);
 }
 
 // In alphabetical order, as in HDF5.

@@ -9,6 +9,7 @@
 #include "echo/engine.h"
 #include "echo/rays/primary_choice.h"
 #include "insonify/files.h"
+#include "insonify/mcap_recording.h"
 #include "insonify/printable.h"
 #include "insonify/version.h"
 #include "insonify/words.h"
@@ -16,6 +17,7 @@
 #include "io/recording/growing_file.h"
 #include "io/recording/hdf5_writer.h"
 #include "io/recording/ping_layers.h"
+#include "io/recording/put_markers.h"
 #include "io/recording/put_settings.h"
 
 namespace insonify {
@@ -86,17 +88,9 @@ void put_axes(const H5Writer& writer, const SonarConfig& sonar) {
   writer.put("range", ranges, {"m", "Centre of each bin."});
 }
 
-void put_names(const H5Writer& writer, const Scene& scene) {
-  std::vector<std::string> names;
-  for (const Instance& instance : scene.instances) {
-    names.push_back(instance.name);
-  }
-  writer.put("instance_names", names, {"", "Scoped name of each instance of the scene."});
-  names.clear();
-  for (const Material& material : scene.materials) {
-    names.push_back(material.name);
-  }
-  writer.put("material_names", names, {"", "Name of each material of the scene."});
+void put_names(const H5Writer& writer, const RunFacts& run) {
+  writer.put("instance_names", run.instance_names, {"", "Scoped name of each instance of the scene."});
+  writer.put("material_names", run.material_names, {"", "Name of each material of the scene."});
 }
 
 void put_run(const H5Writer& writer, const Scenario& scenario, const Scene& scene, const SonarConfig& sonar) {
@@ -132,6 +126,7 @@ struct Recording::State {
   std::vector<PingLayer> layers;
   int bin_count = 0, beam_count = 0;
   bool has_head = false;
+  std::vector<Marker> markers = {};
 };
 
 Recording::Recording(const std::filesystem::path& path, const Scenario& scenario, const Scene& scene,
@@ -141,7 +136,7 @@ Recording::Recording(const std::filesystem::path& path, const Scenario& scenario
     const H5Writer writer(file, path);
     describe_datasets(writer, sonar, layers);
     put_axes(writer, sonar);
-    put_names(writer, scene);
+    put_names(writer, run_facts(scenario, scene));
     put_run(writer, scenario, scene, sonar);
     put_settings(writer, scenario, scene, sonar);
   };
@@ -182,8 +177,15 @@ void Recording::add(const Ping& ping) {
   state_->file.append(std::span(rows).first(count));
 }
 
+void Recording::mark(const std::vector<Marker>& markers) {
+  state_->markers = markers;
+}
+
 void Recording::close() {
   state_->file.close();
+  if (const std::vector<Marker> markers = std::exchange(state_->markers, {}); !markers.empty()) {
+    put_markers(state_->file.path(), markers);
+  }
 }
 
 const std::filesystem::path& Recording::place() const {

@@ -72,6 +72,13 @@ export class Camera {
   }
 }
 
+/** Place of a point of the world on a picture of this size; null for one behind the camera or beside the picture. */
+export function screenPlace({ matrix: m }, [x, y, z], width, height) {
+  const [across, up, , depth] = [0, 1, 2, 3].map((row) => m[row] * x + m[4 + row] * y + m[8 + row] * z + m[12 + row]);
+  if (!(depth > 0) || Math.abs(across) > depth || Math.abs(up) > depth) return null;
+  return [(1 + across / depth) / 2 * width, (1 - up / depth) / 2 * height];
+}
+
 /** Yaw of a vehicle [rad], steady while it looks steeply up or down. */
 function headingOf(vehicle) {
   const ahead = rotate(vehicle.orientation, [1, 0, 0]);

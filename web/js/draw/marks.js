@@ -1,4 +1,4 @@
-// marks.js -- markers and the ruler over the picture, where the shown ping sees their points of the world.
+// marks.js -- markers and the ruler over a picture: where the shown ping, or the camera, sees their points of the world.
 
 import { rulerFigures, rulerText, seenAt } from "../measure.js";
 import { beamAt } from "../sonar.js";
@@ -24,7 +24,8 @@ export function drawMarks(context, plan, pose, { markers, ruler, altitude }) {
   if (ruler) drawRuler(context, plan, pose, ruler, altitude);
 }
 
-function drawMarker(context, [x, y], name) {
+/** Draws a marker and its name at a place of the screen. */
+export function drawMarker(context, [x, y], name) {
   for (const [width, colour] of [[4, "rgb(0 10 16 / 75%)"], [1.6, kMarker]]) {
     context.lineWidth = width;
     context.strokeStyle = colour;

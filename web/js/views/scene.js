@@ -1,7 +1,8 @@
 // scene.js -- the 3-D view: camera, picking, and the line that says where the vehicle is.
 
-import { byId, fitCanvas, write } from "../dom.js";
-import { Camera } from "../draw/camera.js";
+import { byId, context2d, fitCanvas, write } from "../dom.js";
+import { Camera, screenPlace } from "../draw/camera.js";
+import { drawMarker } from "../draw/marks.js";
 import { SceneRenderer } from "../draw/scene_renderer.js";
 import { number, triple } from "../format.js";
 import { degrees, rollPitchYaw } from "../geometry.js";
@@ -25,7 +26,7 @@ export class SceneView {
     });
     store.on(["sonar"], () => this.#newSonar());
     store.on(["camera"], () => this.#begin(store.get("camera")));
-    store.on(["shown", "path", "object", "theme", "main", "low", "high", "gain", "tvg", "map", "hello", "moved",
+    store.on(["shown", "path", "object", "theme", "main", "low", "high", "gain", "tvg", "map", "hello", "moved", "markers",
       "showEchoes", "showFan", "showSector", "showPaths"], this.redraw);
     for (const mode of kModes) byId(`camera-${mode}`).addEventListener("click", () => {
       store.set({ camera: mode });
@@ -84,6 +85,16 @@ export class SceneView {
     });
   }
 
+  // Over what is in front of them: an operator looks for them.
+  #drawMarkers() {
+    const { context, width, height } = context2d(byId("scene-marks"));
+    context.font = "12px system-ui, sans-serif";
+    for (const { name, position } of this.store.get("markers")) {
+      const at = screenPlace(this.camera, position, width, height);
+      if (at) drawMarker(context, at, name);
+    }
+  }
+
   draw() {
     const { width, height } = fitCanvas(this.canvas);
     if (width < 2 || height < 2) return;
@@ -91,6 +102,7 @@ export class SceneView {
     if (this.waits && vehicle) this.#begin(this.store.get("camera"));
     this.camera.place(vehicle, width / height);
     this.renderer.draw(this.camera, this.store);
+    this.#drawMarkers();
     if (!vehicle) return;
     const [roll, pitch, yaw] = rollPitchYaw(vehicle.orientation).map(degrees);
     const angles = [["yaw", yaw], ["pitch", pitch], ["roll", roll]].map(([name, angle]) => `${name} ${number(angle, 0)}°`);
