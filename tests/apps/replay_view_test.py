@@ -6,6 +6,7 @@ replay_view_test.py INSONIFY
 
 import json
 import math
+import shutil
 import signal
 import subprocess
 import sys
@@ -123,6 +124,20 @@ class Replaying(unittest.TestCase):
         self.assertEqual(self.hello["recording"], {"first_time": 0, "last_time": self.times[-1], "pings": len(self.times)})
         self.assertEqual([sonar["name"] for sonar in self.hello["sonars"]], ["fls", "head"])
         self.assertIn("ball::l::v", self.hello["objects"])
+
+    def test_markers_of_a_recording_are_shown(self):
+        marker = {"name": "wreck", "position": [1, 2, -3.5], "time": 0.5, "sonar": "fls", "ping": 4}
+        marked = self.server.path / "marked.h5"
+        shutil.copy(self.server.path / "out/fls.h5", marked)
+        with h5py.File(marked, "a") as file:
+            file["markers"] = [json.dumps(marker)]
+        server = replay(files=(marked,), before=())
+        try:
+            page = Socket(server.port)
+            self.assertEqual(page.open()[0], 101)
+            self.assertEqual(page.text("markers")["markers"], [marker])
+        finally:
+            server.close()
 
     def test_pings_are_those_of_the_file(self):
         for sonar, at in (("fls", 0.7), ("head", 0.7), ("fls", 1.2)):
