@@ -777,6 +777,9 @@ const failed = await runChecks({
     await page.mouse.click(...(await placeOf(12, -0.3)));
     const { markers: [marker] } = await told("mark");
     assert.deepEqual([marker.name, marker.sonar], ["M1", "fls"]);
+    await page.evaluate(() => insonify.store.set({ main: "scene" }));
+    await until(() => page.$eval("#scene-marks", (canvas) => canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data.some((byte) => byte > 0)), "its name in the scene");
+    await page.evaluate(() => insonify.store.set({ main: "picture" }));
     await press("tool-marker");
     await press("tab-scene");
     await page.$eval("#markers input", (node) => {
