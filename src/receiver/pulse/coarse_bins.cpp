@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "base/vector_math.h"
 
@@ -14,13 +15,18 @@ constexpr float kTimesNeighbours = 2;  // Energy above this multiple of its neig
 constexpr int kBlock = 128;            // Bins computed together.
 
 // Energy of one look in bins [0, count).
-// @param energy  From the bin before the first to that after the last.
+// @param pairs   Share of what two bins have above their neighbours that counts as compact.
+// @param energy  From two bins before the first to two after the last.
 INSONIFY_VECTOR_CLONES
-void take_look(int count, float share, const float* __restrict__ energy, float* __restrict__ look) {
+void take_look(int count, float share, float pairs, const float* __restrict__ energy, float* __restrict__ look) {
+  const auto larger = [](float a, float b) { return a < b ? b : a; };
+  const auto smaller = [](float a, float b) { return b < a ? b : a; };
   for (int i = 0; i < count; ++i) {
-    const float before = energy[i], here = energy[i + 1], after = energy[i + 2];
-    const float most = kTimesNeighbours * (before < after ? after : before);
-    const float extended = most < here ? most : here;
+    const float before = energy[i + 1], here = energy[i + 2], after = energy[i + 3];
+    const float with_next = larger(before, energy[i + 4]), with_last = larger(energy[i], after);
+    const float alone = smaller(here, kTimesNeighbours * larger(before, after));
+    const float paired = smaller(alone, kTimesNeighbours * smaller(with_next, with_last));
+    const float extended = alone - pairs * (alone - paired);
     look[i] = (here - extended) + share * extended;
   }
 }
@@ -31,6 +37,7 @@ CoarseBins::CoarseBins(const Pulse& pulse, double bin_length, const RangeRespons
     : decimation_(decimation), looks_(std::max(1.0, bin_length / pulse.equivalent_length())) {
   share_ = static_cast<float>(pulse.equivalent_length() / bin_length / response.equivalent_cells());
   if (looks_ > 1) {
+    pairs_ = static_cast<float>(std::log(looks_) / (looks_ - 1));
     discrete_ = decimation == Decimation::kMean ? static_cast<float>(1 / looks_) : 1;
     if (decimation == Decimation::kMean) {
       mean_of_looks_.emplace(looks_);
@@ -45,14 +52,15 @@ void CoarseBins::receive(std::span<float> energy) const {
     }
     return;
   }
-  float block[kBlock + 3] = {};
+  constexpr int kBeside = 2;  // Bins on each side that each is compared with.
+  float block[kBlock + 2 * kBeside] = {};
   const auto size = static_cast<int>(energy.size());
   for (int start = 0; start < size; start += kBlock) {
-    const int count = std::min(kBlock, size - start), with_next = std::min(count + 1, size - start);
-    std::copy_n(&energy[start], with_next, block + 1);
-    block[with_next + 1] = 0;  // Beyond the end.
-    take_look(count, share_, block, &energy[start]);
-    block[0] = block[kBlock];
+    const int count = std::min(kBlock, size - start), with_next = std::min(count + kBeside, size - start);
+    std::copy_n(&energy[start], with_next, block + kBeside);
+    std::fill(block + kBeside + with_next, std::end(block), 0.0F);  // Beyond the end.
+    take_look(count, share_, pairs_, block, &energy[start]);
+    std::copy_n(block + kBlock, kBeside, block);
   }
 }
 

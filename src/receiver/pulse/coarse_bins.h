@@ -17,8 +17,10 @@ namespace insonify {
 /// mean, or one of them. A compact echo, shorter than the pulse, has all of its energy in one look, which is then the
 /// one that decimation keeps.
 ///
-/// Looks are not simulated one by one. A bin's energy above twice that of both neighbours counts as compact; and one
-/// look is computed, whose intensity is transformed to the distribution of the greatest or the mean of n.
+/// Looks are not simulated one by one. A bin's energy above twice that of both neighbours counts as compact, and so
+/// does the share ln n / (n - 1) of what two bins have above twice that of the neighbours of both: of echoes that two
+/// bins hold, which are 0 to 2 L deep, it leaves (1 + ln n) / n on average. One look is computed, whose intensity is
+/// transformed to the distribution of the greatest or the mean of n.
 class CoarseBins {
  public:
   /// @param response  The same pulse, sampled at bins.
@@ -46,6 +48,7 @@ class CoarseBins {
   double looks_;
   float share_ =
       1;  // l / L divided by the response's equivalent cells, so that the sum over bins equals the pulse's integral.
+  float pairs_ = 1;  // Share of the energy of two bins above their neighbours that counts as compact.
   float discrete_ = 1;
   std::optional<GammaQuantiles> mean_of_looks_;
 };

@@ -31,21 +31,52 @@ TEST(CoarseBinsTest, AQuarterOfExtendedEchoesAndAllOfCompactOnesIsKept) {
   }
 }
 
+// A compact echo on the edge of two bins, 11 and 9 on an extended 1: of what both have above 2, the share w = ln 4 / 3
+// counts as compact, so that (1 + ln 4) / 4 of it is kept. That is the mean of min(1, 2 l / d) over depths d up to 2 L.
+TEST(CoarseBinsTest, MostOfAnEchoOnTheEdgeOfTwoBinsIsKept) {
+  const CoarseBins bins = bins_that_keep(Decimation::kSample);
+  std::vector<float> energy = {1, 1, 11, 9, 1, 1};
+  bins.receive(energy);
+  double mean = 0;
+  constexpr int kSteps = 10000;
+  for (int i = 0; i < kSteps; ++i) {
+    mean += std::min(1.0, 0.5 / (2 * (i + 0.5) / kSteps)) / kSteps;  // l = L / 4.
+  }
+  const std::vector<double> kept = {0.25, 0.25, 9 * mean + 0.5, 7 * mean + 0.5, 0.25, 0.25};
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    EXPECT_NEAR(energy[i], kept[i], 1e-3) << i;
+  }
+}
+
+// Where bins are hardly longer than the pulse, all of it is kept.
+TEST(CoarseBinsTest, FineBinsKeepAll) {
+  const Pulse tone({.kind = PulseKind::kCw, .duration = 80e-6}, kSoundSpeed, 0.0401);
+  const CoarseBins bins(tone, 0.0401, RangeResponse(tone, 0.0401), Decimation::kSample);
+  std::vector<float> energy = {0, 0, 1, 1, 0, 0};
+  bins.receive(energy);
+  EXPECT_NEAR(energy[2] + energy[3], 2, 0.02);
+}
+
 // Rows of any length, longer than what is computed together: each bin by the definition, with its neighbours before
 // any of them is replaced.
-TEST(CoarseBinsTest, EachBinIsComparedWithBothItsNeighbours) {
+TEST(CoarseBinsTest, EachBinIsComparedWithItsNeighbours) {
   const CoarseBins bins = bins_that_keep(Decimation::kSample);
-  for (const std::size_t size : {1U, 2U, 127U, 128U, 129U, 300U}) {
+  for (const std::size_t size : {1U, 2U, 3U, 127U, 128U, 129U, 130U, 300U}) {
     std::vector<float> energy;
     for (std::size_t i = 0; i < size; ++i) {
       energy.push_back(1 + static_cast<float>(i * i * 37 % 101));  // From bin to bin much more or less than twice.
     }
     const std::vector<float> before = energy;
     bins.receive(energy);
+    const auto at = [&](std::size_t i, int away) {
+      const auto place = static_cast<std::int64_t>(i) + away;
+      return place >= 0 && place < static_cast<std::int64_t>(size) ? double{before[place]} : 0.0;
+    };
     for (std::size_t i = 0; i < size; ++i) {
-      const double left = i > 0 ? before[i - 1] : 0, right = i + 1 < size ? before[i + 1] : 0;
-      const double extended = std::min(double{before[i]}, 2 * std::max(left, right));
-      EXPECT_NEAR(energy[i], before[i] - extended + 0.25 * extended, 1e-4) << size << ", " << i;
+      const double alone = std::min(at(i, 0), 2 * std::max(at(i, -1), at(i, 1)));
+      const double pair = 2 * std::min(std::max(at(i, -1), at(i, 2)), std::max(at(i, -2), at(i, 1)));
+      const double extended = alone - std::log(4) / 3 * std::max(0.0, alone - pair);
+      EXPECT_NEAR(energy[i], at(i, 0) - 0.75 * extended, 1e-4) << size << ", " << i;
     }
   }
 }
