@@ -2,6 +2,8 @@
 
 #include "echo/targets/scene_targets.h"
 
+#include "echo/targets/small_faces.h"
+
 namespace insonify {
 
 SceneTargets find_targets(const Scene& scene, const std::optional<WaterMirror>& water, const WantedTargets& wanted,
@@ -18,7 +20,8 @@ SceneTargets find_targets(const Scene& scene, const std::optional<WaterMirror>& 
   cover_faces(scene, probe, faces);
   SceneTargets targets;
   targets.edges = std::make_shared<const StraightEdges>(find_straight_edges(scene, faces, probe));
-  const bool any = thin.triangles || faces.any();
+  add_small_faces(scene, probe, workers, left_out, thin);
+  const bool any = !thin.pieces.empty() || faces.any();
   engine.leave_out(any ? std::make_shared<const LeftOut>(std::move(left_out)) : nullptr);
   targets.faces = std::make_shared<const GlintingFaces>(std::move(faces));
   targets.thin_parts = std::make_shared<const ThinParts>(std::move(thin));

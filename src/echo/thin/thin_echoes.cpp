@@ -25,8 +25,9 @@ constexpr float kPatchInFront = 0.05F, kPatchOwnDepth = 0.15F;
 
 // Area times backscattering coefficient of a patch: Lambert's law and the facets' lobe, widened by curvature.
 // @param cosine  n . d, negative.
+// @param coherence  Share of the lobe that another source computes.
 float strength_of(const ThinParts::Patch& patch, const Vec3f& direction, float cosine, const ScatterTable::Laws& laws,
-                  std::uint32_t material) {
+                  std::uint32_t material, float coherence) {
   const float held = std::max(-cosine, kLeastCosine);
   const TurnProducts turns{patch.around.squaredNorm(),
                            patch.along.squaredNorm(),
@@ -38,7 +39,7 @@ float strength_of(const ThinParts::Patch& patch, const Vec3f& direction, float c
   const LobeWidening widening = widen_lobe(turns, cosine, laws.steepness[material]);
   const float glint = facet_lobe(laws.lobe[material], laws.steepness[material],
                                  std::min(std::sqrt(held * held + widening.spared), 1.0F)) *
-                      std::sqrt(widening.share);
+                      std::sqrt(widening.share) * (1 - coherence);
   const float on_top =
       laws.by_angle == nullptr
           ? 0.0F
@@ -147,10 +148,13 @@ Echo ThinEchoes::echo_of(const FlatPlan& plan, const Part& part) const {
     const ThinParts::Patch& patch = parts_->patches[i];
     const float cosine = patch.normal.dot(in_mesh);
     if (cosine < 0) {
-      const float of_patch = strength_of(patch, in_mesh, cosine, laws, material);
+      const double coherence = piece.glints ? coherent_share(plan, piece.surface, double{cosine}) : 0;
+      const float of_patch = strength_of(patch, in_mesh, cosine, laws, material, static_cast<float>(coherence));
       strength += of_patch;
       facing -= patch.area * cosine;
-      if (part.alone) {  // A patch of a ball reaches half a step of its normals to both sides.
+      if (piece.is_strip()) {
+        half_depth = std::abs(piece.side.dot(in_mesh));
+      } else if (part.alone) {  // A patch of a ball reaches half a step of its normals to both sides.
         half_depth = 0.25F * ThinParts::kTurnStep * piece.thickness * std::sqrt(std::max(1 - cosine * cosine, 0.0F));
       } else {
         depth += of_patch * patch.offset.dot(in_mesh);

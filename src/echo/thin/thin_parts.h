@@ -1,4 +1,5 @@
-// thin_parts.h -- parts of a scene that are thin in two directions (ropes, rods, nets, balls), as short pieces.
+// thin_parts.h -- parts of a scene that are thin in two directions (ropes, rods, nets, balls) and small plane faces, as
+// short pieces.
 
 #pragma once
 
@@ -10,9 +11,9 @@
 
 namespace insonify {
 
-/// Ropes, chains, nets, rods and small round bodies of a scene as short pieces. Each lists its surface area by
-/// direction of the normal, from which ThinEchoes computes its echo in closed form, however few samples of the lattice
-/// hit it.
+/// Ropes, chains, nets, rods, small round bodies and small plane faces of a scene as short pieces. Each lists its
+/// surface area by direction of the normal, from which ThinEchoes computes its echo in closed form, however few samples
+/// of the lattice hit it.
 struct ThinParts {
   static constexpr float kThickest = 0.1F;       ///< Parts are thinner than this in two directions [m].
   static constexpr float kThickestRound = 1.0F;  ///< The same of parts whose surface is round [m].
@@ -20,6 +21,7 @@ struct ThinParts {
   static constexpr std::size_t kMostThickPieces =
       64;  ///< Most pieces of an instance that are thicker than kThickest and of no compact body. The round parts of an
            ///< assembly with more hide each other, which the lattice sees better.
+  static constexpr std::size_t kMostStrips = 4096;  ///< Most strips of small plane faces of a scene.
   static constexpr std::size_t kMostPieces =
       20'000;  ///< Most pieces of a scene; instances beyond that are left to the lattice.
 
@@ -35,11 +37,15 @@ struct ThinParts {
     SurfaceLabel surface;
     Vec3f middle;     ///< In the mesh frame [m].
     Vec3f half;       ///< From the middle to one end, along the axis [m]; 0 for a piece without axis.
-    float thickness;  ///< As LeftOut::thickness [m].
+    float thickness;  ///< As LeftOut::thickness [m]; of a strip the width of its face.
     std::uint32_t first_patch, last_patch;
+    Vec3f side = Vec3f::Zero();  ///< From the middle of a strip to its long side, in the mesh frame [m]; else 0.
+    bool glints = false;         ///< Whether FaceGlints computes the coherent share of its lobe.
+
+    [[nodiscard]] bool is_strip() const { return side != Vec3f::Zero(); }  ///< Whether it is a strip of a small face.
   };
 
-  std::vector<Piece> pieces;  ///< Grouped by instance.
+  std::vector<Piece> pieces;  ///< Grouped by instance; strips behind all others, grouped likewise.
   std::vector<Patch> patches;
   std::shared_ptr<const LeftOut> triangles;  ///< Null if nothing is thin.
   std::vector<std::string> left_out;         ///< Names of instances with too many pieces.

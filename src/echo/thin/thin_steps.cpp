@@ -66,7 +66,7 @@ void ThinEchoes::add_seen(const FlatPlan& plan, std::uint32_t group, const Pose&
 
 // Whether each patch of a piece is a part by itself.
 bool ThinEchoes::parted(const ThinParts::Piece& piece) const {
-  return by_patch_ && piece.thickness > ThinParts::kThickest;
+  return by_patch_ && (piece.is_strip() || piece.thickness > ThinParts::kThickest);
 }
 
 // Divides the pieces into steps. False if there are too many parts.
