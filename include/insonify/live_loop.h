@@ -98,6 +98,8 @@ class LiveListener {
   virtual void on_note(const std::string& text) = 0;
   /// Another program's clock, by LiveLoop::advance() [s].
   virtual void on_clock(double /*time*/) {}
+  /// Called when the next ping needs a pose or a time from another program that has not come.
+  virtual void on_idle() {}
   /// Called when the files of a recording are closed, complete or not.
   virtual void on_recorded(const LiveRecording& /*recording*/) {}
   /// What an operator has marked so far; asked for when a recording is closed, which keeps it.
@@ -114,8 +116,10 @@ struct LiveState {
   std::string recording_error;       ///< Why a recording is incomplete, "": none failed.
   std::uint64_t pings_made = 0;      ///< Since the start of the loop.
   std::uint64_t pings_since_change = 0;
-  double time = 0;         ///< Time of the next ping since the last change [s].
-  bool preparing = false;  ///< Whether a change is being prepared while pings of the old state continue.
+  double time = 0;                     ///< Time of the next ping since the last change [s].
+  std::optional<double> awaited = {};  ///< With LiveOptions::clocked: the time of that clock at which the next ping is
+                                       ///< due, if all pings until now are made [s].
+  bool preparing = false;              ///< Whether a change is being prepared while pings of the old state continue.
 };
 
 struct LiveOptions {
@@ -123,6 +127,7 @@ struct LiveOptions {
   std::optional<double> rate_limit = {};  ///< Limit of each sonar's ping rate [Hz], > 0; time slows down accordingly.
   bool paused = false;                    ///< Whether it starts paused.
   bool driven = false;                    ///< Whether another program moves the vehicle: see LiveLoop::drive().
+  bool on_request = false;                ///< With `driven`: a ping for each drive(), in order, and none between.
   bool clocked = false;                   ///< Whether another program sets the time: see LiveLoop::advance().
   bool followed = false;  ///< Whether another program defines the world, by LiveLoop::change_objects(): the scenario's
                           ///< own is not read, and `materials` may name absent objects.
@@ -209,7 +214,8 @@ class LiveLoop {
   /// ping is made until the next call. fly() has no effect in this mode, place() and follow() are refused.
   /// saved_scenario() has a waypoint per ping, to a micrometre, without `twist`, `moved` and `carried`. With
   /// LiveOptions::followed, missing objects in `moved` are ignored.
-  /// @throws Error for what PingRequest refuses, and without LiveOptions::driven.
+  /// With LiveOptions::on_request, each call makes the next ping, of all sonars that ping at that time.
+  /// @throws Error for what PingRequest refuses, without LiveOptions::driven, and when 1000 calls wait for their pings.
   void drive(LiveDrive drive);
 
   /// With LiveOptions::clocked: sets the time by another program's clock [s]. A ping is due when that clock has

@@ -23,6 +23,7 @@ struct MessageSource {
   ReceiverConfig receiver;  ///< Receiver of this sonar: Scenario::receiver_of().
   std::string scenario;     ///< Text of the scenario file, as in recordings; "": none.
   std::string name = {};    ///< Name in topics and frames; "": the sonar's, with `_` for characters invalid in ROS.
+  std::vector<std::string> labels = {};  ///< Names of the scene's instances, in order, for kDescription.
 };
 
 /// Sonars whose topics would have the same name get unique ones: the second one has the suffix `_2`, the third `_3`
@@ -45,8 +46,11 @@ struct MessageOptions {
   ColourMap colour_map = ColourMap::kInferno;  ///< Colour map of the fan picture.
   bool annotations = false;                    ///< Whether the fan picture has rings, axes and a colour bar.
   bool raw = false;                            ///< Whether there is a channel kRaw.
-  double strong_share = 0.01;                  ///< Share of a ping's cells that become points, in (0, 1].
-  std::string world_frame = "world";           ///< Name of the frame of the world, not empty.
+  bool live = false;  ///< Whether there are kLabels, kDescription and, of scanning sonars, kScan. Not with kGazebo.
+  double strong_share = 0.01;         ///< Share of a ping's cells that become points, in (0, 1].
+  std::string world_frame = "world";  ///< Name of the frame of the world, not empty.
+  std::string vehicle_frame = {};  ///< The vehicle's frame: kTransforms has the sonar's mounting on it, on /tf_static.
+                                   ///< "": it has the sonar's pose in the world, on /tf.
 
   /// Largest rate of fan pictures in a file, per sonar and second of ping time, 0..1000 [1/s]; 0: none. Absent:
   /// kScanningFanRate for a scanning sonar, whose picture changes by one beam per ping; one per ping for
@@ -95,7 +99,19 @@ struct MessageOptions {
 enum class MessageForm { kRos2, kRos1, kGazebo };
 
 /// Contents of a channel.
-enum class MessageKind { kSonarImage, kFan, kPoints, kTruePoints, kPose, kTransforms, kScenario, kRaw };
+enum class MessageKind {
+  kSonarImage,
+  kFan,
+  kPoints,
+  kTruePoints,
+  kPose,
+  kTransforms,
+  kScenario,
+  kRaw,
+  kLabels,
+  kDescription,
+  kScan
+};
 
 /// Messages of one kind on one topic.
 struct MessageChannel {
@@ -106,6 +122,7 @@ struct MessageChannel {
   std::string definition;  ///< Definition of the type and of all types in it, as MCAP's encodings "ros2msg" and
                            ///< "ros1msg" have it, and bags of ROS 1; of Gazebo empty.
   std::string md5 = {};    ///< Checksum of the definition by which ROS 1 knows the type; of others empty.
+  bool latched = false;    ///< The same for all pings: sent once, and kept for those who read later.
 };
 
 /// A level of intensity mapped to the darkest and the brightest value of an image [dB].
@@ -128,12 +145,17 @@ struct MessageLevels {
 /// | kTransforms | /tf                | tf2_msgs/msg/TFMessage                       |             |
 /// | kScenario   | /scenario          | std_msgs/msg/String                          |             |
 /// | kRaw        | /NAME/raw          | sensor_msgs/msg/Image, mono8 or mono16       | NAME        |
+/// | kLabels     | /NAME/labels       | sensor_msgs/msg/Image, mono16                | NAME        |
+/// | kDescription | /NAME/description | std_msgs/msg/String                          |             |
+/// | kScan       | /NAME/scan         | sensor_msgs/msg/LaserScan                    | NAME        |
 ///
 /// Points are in the middle of their beams, as a sonar knows them; true points at the elevations of the ground truth.
 /// kRaw exists with MessageOptions::raw only: the values of the sonar image, row i its bin i, column 0 the beam
-/// furthest to port. NAME is MessageSource::name. Frame NAME is that of the housing (x forward, y to port, z up).
-/// NAME_beams, of the sonar image, has z along the middle of the fan, y to port, x down. docs/reference/messages.md has
-/// every field.
+/// furthest to port. With MessageOptions::live, kLabels has Ping::instance in that layout; kDescription is a JSON
+/// object with beams, bins, levels and the names of labels; kScan has the first returns of a scanning head's last turn,
+/// or last sweep across its sector. NAME is MessageSource::name. Frame NAME is that of the housing (x forward, y to
+/// port, z up). NAME_beams, of the sonar image, has z along the middle of the fan, y to port, x down.
+/// docs/reference/messages.md has every field.
 ///
 /// In MessageForm::kGazebo they are gz.msgs.Image (kSonarImage, kFan, kRaw), PointCloudPacked, Pose, Pose_V and
 /// StringMsg, as Protocol Buffers; ignition.msgs have the same bytes.
@@ -165,7 +187,7 @@ class SonarMessages {
   void take(const Ping& ping, double time);
 
   /// Whether files hold this message of the current ping: they skip fan pictures beyond MessageOptions::fan_rate.
-  /// Programs that send messages on request need not check.
+  /// Programs that send messages on request need to check kScan alone, which ends with a turn.
   /// @param channel  Index into channels().
   [[nodiscard]] bool is_due(std::size_t channel) const;
 
@@ -179,6 +201,10 @@ class SonarMessages {
 
   /// Time of the current ping, counted from 1970 if there is a start [ns].
   [[nodiscard]] std::uint64_t time_ns() const;
+
+  /// The message of a latched kTransforms for several sonars: readers that come late get the last one only.
+  /// @param sonars  Of one run, with the same form.
+  [[nodiscard]] static std::vector<std::byte> mountings(const std::vector<SonarMessages>& sonars);
 
  private:
   struct State;

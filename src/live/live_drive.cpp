@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <tuple>
 
 #include "insonify/error.h"
 #include "live/live_state.h"
@@ -13,6 +14,9 @@ namespace insonify {
 
 // Whether the next pings need a pose or a time that has not arrived.
 bool LiveLoop::State::waits_for_others() const {
+  if (options.on_request) {
+    return asked.empty();
+  }
   if (options.driven && (!drive || drive_refused)) {
     return true;
   }
@@ -20,9 +24,32 @@ bool LiveLoop::State::waits_for_others() const {
   return options.clocked && (!clock || *clock - clock_anchor < run->next_time() - anchor_time - kSameTime);
 }
 
+// The time of another program's clock that the next pings wait for.
+std::optional<double> LiveLoop::State::awaited() const {
+  return options.clocked && clock && waits_for_others() ? std::optional(clock_anchor + run->next_time() - anchor_time)
+                                                        : std::nullopt;
+}
+
+// Waits for what other programs send, and for requests; tells the listener, once after each, that there is nothing to
+// do.
+void LiveLoop::State::wait_for_others(Lock& lock) {
+  if (!told_idle && !paused) {
+    told_idle = true;
+    lock.unlock();
+    listener->on_idle();
+    lock.lock();
+    return;  // Something may have come meanwhile.
+  }
+  wake.wait(lock);
+}
+
 // Ends the path at the vehicle's current pose; the first time, starts the run there.
 // @return  Whether pings can be made from that pose.
 bool LiveLoop::State::drive_to_next(Lock& lock) {
+  if (options.on_request) {
+    std::tie(drive, drive_received_at) = std::move(asked.front());
+    asked.pop_front();
+  }
   std::string refusal;
   try {
     if (!driving) {
@@ -75,6 +102,17 @@ void LiveLoop::drive(LiveDrive drive) {
   }
   const double now = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
   const State::Lock lock(state.mutex);
+  state.told_idle = false;
+  if (state.options.on_request) {
+    constexpr std::size_t kMostAsked = 1000;
+    if (state.asked.size() >= kMostAsked) {
+      throw Error(fmt::format("drive: {} poses wait for their pings", kMostAsked));
+    }
+    const double before = state.asked.empty() ? state.drive_received_at : state.asked.back().second;
+    state.asked.emplace_back(std::move(drive), std::max(now, std::nextafter(before, 2 * now)));  // Tells them apart.
+    state.wake.notify_all();
+    return;
+  }
   state.drive = std::move(drive);
   state.drive_received_at = now;
   state.drive_refused = false;
@@ -90,6 +128,7 @@ void LiveLoop::advance(double time) {
     throw Error("", "time", fmt::format(" = {} s must be finite", time));
   }
   const State::Lock lock(state.mutex);
+  state.told_idle = false;
   if (!state.clock || time < *state.clock) {
     state.clock_anchor = time;
     state.anchor_time = state.run->next_time();

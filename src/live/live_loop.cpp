@@ -113,6 +113,7 @@ LiveState LiveLoop::state() const {
           .pings_made = state.pings_made,
           .pings_since_change = state.run->made_in_all(),
           .time = state.run->next_time(),
+          .awaited = state.awaited(),
           .preparing = state.preparing_now};
 }
 

@@ -285,8 +285,8 @@ void LiveLoop::State::make_pings() {
     } else if (objects_changed) {
       take_objects(lock);
     } else if ((paused && steps == 0) || waits_for_others()) {
-      wake.wait(lock);
-    } else if (!paused && !options.clocked && Clock::now() < next_due()) {
+      wait_for_others(lock);
+    } else if (!paused && !options.clocked && !options.on_request && Clock::now() < next_due()) {
       wake.wait_until(lock, next_due());
     } else {
       make_next(lock);

@@ -5,9 +5,11 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <deque>
 #include <mutex>
 #include <set>
 #include <thread>
+#include <utility>
 
 #include "insonify/simulator.h"
 #include "live/live_change.h"
@@ -41,11 +43,13 @@ struct LiveLoop::State {
   std::optional<LiveDrive> drive;  // The newest.
   double drive_received_at = 0;    // Unix time [s].
   bool drive_refused = false;      // Whether no ping can be made from its pose.
-  std::optional<double> clock;     // With LiveOptions::clocked: the newest time [s].
-  LiveObjectList objects;          // Added by change_objects() and not removed.
-  std::uint64_t next_object = 0;   // Serial number.
-  bool objects_changed = false;    // Whether the simulator does not have them yet.
-  std::vector<LiveChange> wishes;  // To prepare.
+  bool told_idle = false;          // Whether the listener knows that what has come since was not enough for a ping.
+  std::deque<std::pair<LiveDrive, double>> asked;  // With LiveOptions::on_request, and when they came.
+  std::optional<double> clock;                     // With LiveOptions::clocked: the newest time [s].
+  LiveObjectList objects;                          // Added by change_objects() and not removed.
+  std::uint64_t next_object = 0;                   // Serial number.
+  bool objects_changed = false;                    // Whether the simulator does not have them yet.
+  std::vector<LiveChange> wishes;                  // To prepare.
   std::optional<std::vector<LiveChange>> being_prepared;
   std::optional<LivePrepared> prepared;  // To apply between two pings.
   bool preparing_now = false;
@@ -93,6 +97,8 @@ struct LiveLoop::State {
 
   // live_drive.cpp: poses and times from other programs.
   [[nodiscard]] bool waits_for_others() const;
+  void wait_for_others(Lock& lock);
+  [[nodiscard]] std::optional<double> awaited() const;
   [[nodiscard]] bool drive_to_next(Lock& lock);
   void keep_clock();
 

@@ -16,13 +16,18 @@ INSONIFY = pathlib.Path(sys.argv[1]).resolve()
 # As `ros2 topic info -v` of the release Jazzy prints them.
 PRINTED = {
     "sensor_msgs/msg/Image": "RIHS01_d31d41a9a4c4bc8eae9be757b0beed306564f7526c88ea6a4588fb9582527d47",
+    "sensor_msgs/msg/LaserScan": "RIHS01_64c191398013af96509d518dac71d5164f9382553fce5c1f8cca5be7924bd828",
     "std_msgs/msg/String": "RIHS01_df668c740482bbd48fb39d76a70dfd4bd59db1288021743503259e948f6b1a18",
 }
 
-# Types that the bridge reads and no recording holds.
+# Types that the bridge reads or writes and no recording holds.
 SEPARATOR = "=" * 80 + "\nMSG: "
 TIME = SEPARATOR + "builtin_interfaces/Time\nint32 sec\nuint32 nanosec\n"
 READ = {
+    "sensor_msgs/msg/LaserScan": SEPARATOR.join((
+        "std_msgs/Header header\nfloat32 angle_min\nfloat32 angle_max\nfloat32 angle_increment\nfloat32 time_increment\n"
+        "float32 scan_time\nfloat32 range_min\nfloat32 range_max\nfloat32[] ranges\nfloat32[] intensities\n",
+        "std_msgs/Header\nbuiltin_interfaces/Time stamp\nstring frame_id\n")) + TIME,
     "rosgraph_msgs/msg/Clock": "builtin_interfaces/Time clock\n" + TIME,
     "nav_msgs/msg/Odometry": SEPARATOR.join((
         "std_msgs/Header header\nstring child_frame_id\ngeometry_msgs/PoseWithCovariance pose\n"

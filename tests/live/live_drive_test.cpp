@@ -50,6 +50,34 @@ class LiveDriveTest : public testing::Test {
   std::unique_ptr<LiveLoop> loop_;
 };
 
+// Poses come faster than pings are made; too many are refused.
+TEST_F(LiveDriveTest, EachPoseHasOnePingOnRequest) {
+  start({.threads = 1, .driven = true, .on_request = true});
+  const auto ask = [this](int i) { loop_->drive({.world_from_vehicle = pose_at(0.1 * i), .stamp = 70.0 + i}); };
+  for (int i = 0; i < 4; ++i) {
+    ask(i);
+  }
+  keeper_.wait_for_all(4);
+  ask(4);
+  keeper_.wait_for_all(5);
+  loop_->pause(true);
+  EXPECT_EQ(message_of([&] {
+              for (int i = 0; i <= 1000; ++i) {
+                ask(5);
+              }
+            }),
+            "drive: 1000 poses wait for their pings");
+  loop_->end();
+  const std::vector<LivePing> pings = keeper_.pings();
+  ASSERT_GE(pings.size(), 5U);
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_EQ(pings[i].ping.number, i);
+    EXPECT_EQ(pings[i].stamp, 70 + static_cast<double>(i));
+    EXPECT_LT((pings[i].world_from_vehicle.position - pose_at(0.1 * static_cast<double>(i)).position).norm(), 2e-5);
+  }
+  EXPECT_TRUE(pings[4].received_at > pings[3].received_at && pings[1].received_at > pings[0].received_at);
+}
+
 TEST_F(LiveDriveTest, PingsAreMadeWhereTheVehicleWasToldToBe) {
   start({.threads = 1, .driven = true, .clocked = true});
   for (int i = 0; i < 5; ++i) {

@@ -192,6 +192,45 @@ TEST_F(BridgeTest, SurvivesATransportThatFails) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "insonify: the transport is closed\n");  // Once.
 }
 
+// Faster than they are made, and held until their sound is back: none is lost, none comes in between.
+TEST_F(BridgeTest, EachPoseHasAPingOnRequest) {
+  constexpr int kPoses = 12;
+  BridgeOptions options{.scenario = "dive.yaml", .lossless = true, .quiet = true};
+  options.live.driven = options.live.on_request = true;
+  const auto bridge = std::make_unique<Bridge>(options, transport_, MessageForm::kRos1);
+  bridge->start();
+  for (int i = 0; i < kPoses; ++i) {
+    const Pose pose{Vec3(0.1 * i, 0, 0), Eigen::Quaterniond::Identity()};
+    bridge->loop().drive({.world_from_vehicle = pose, .stamp = 70.0 + i});
+  }
+  (void)transport_.wait_for(MessageKind::kSonarImage, kPoses);
+  bridge->loop().drive({.world_from_vehicle = Pose(), .stamp = 90});
+  const std::vector<Sent> images = transport_.wait_for(MessageKind::kSonarImage, kPoses + 1);
+  bridge->end();
+  ASSERT_EQ(images.size(), std::size_t{kPoses + 1});
+  for (std::size_t i = 0; i < kPoses; ++i) {
+    EXPECT_EQ(images[i].time_ns, (70 + i) * 1'000'000'000) << i;
+    EXPECT_EQ(sequence(images[i]), i);
+  }
+  EXPECT_EQ(images.back().time_ns, 90'000'000'000U);
+}
+
+TEST_F(BridgeTest, WhatIsLatchedIsSentOnceBeforeThePings) {
+  BridgeOptions options{.scenario = "dive.yaml", .quiet = true};
+  options.messages.live = true;
+  options.messages.vehicle_frame = "base_link";
+  Bridge bridge(options, transport_, MessageForm::kRos1);
+  bridge.start();
+  (void)transport_.wait_for(MessageKind::kSonarImage, 3);
+  bridge.end();
+  const std::vector<Sent> sent = transport_.all();
+  for (const MessageKind kind : {MessageKind::kScenario, MessageKind::kDescription, MessageKind::kTransforms}) {
+    EXPECT_EQ(transport_.wait_for(kind, 1).size(), 1U);
+  }
+  ASSERT_GE(sent.size(), 6U);
+  EXPECT_EQ(transport_.wait_for(MessageKind::kSonarImage, 3).front().message, sent[3].message);
+}
+
 TEST_F(BridgeTest, MessagesHaveTheStampOfThePose) {
   const auto bridge = this->bridge({.driven = true});
   bridge->start();

@@ -18,6 +18,7 @@ namespace insonify {
 namespace {
 
 using TimeMessage = builtin_interfaces_msg_dds__Time_;
+using StampedPose = geometry_msgs_msg_dds__PoseStamped_;
 using Odometry = nav_msgs_msg_dds__Odometry_;
 using Transforms = tf2_msgs_msg_dds__TFMessage_;
 using ClockMessage = rosgraph_msgs_msg_dds__Clock_;
@@ -71,6 +72,9 @@ DdsInputs::DdsInputs(dds_entity_t participant, const DdsInputOptions& options, L
     add(transforms_, "/tf", tf2_msgs_msg_dds__TFMessage__desc, DdsDelivery::kMany);
     add(static_transforms_, "/tf_static", tf2_msgs_msg_dds__TFMessage__desc, DdsDelivery::kEachAndLast);
     missed_.push_back({&*transforms_, "tf2_msgs/msg/TFMessage"});
+  }
+  if (!options.ping_at.empty()) {
+    add(asked_, options.ping_at, geometry_msgs_msg_dds__PoseStamped__desc, DdsDelivery::kEach);
   }
   if (options.clock) {
     add(clock_, "/clock", rosgraph_msgs_msg_dds__Clock__desc, DdsDelivery::kNewest);
@@ -126,20 +130,33 @@ void DdsInputs::take_all() {
     take_transforms(*static_transforms_, true);
     take_transforms(*transforms_, false);
   }
+  if (asked_) {
+    take_asked();
+  }
   take_settings();
   if (time) {
     loop_.advance(*time);
   }
 }
 
+void DdsInputs::warn_of_frame(const std::string& topic, const std::string& frame) {
+  if (!frame.empty() && frame != options_.world_frame && !std::exchange(warned_of_frame_, true)) {
+    complain(fmt::format("{}: poses are in the frame {}, which messages call {}; --world-frame {} would agree", topic,
+                         printable(frame), options_.world_frame, printable(frame)));
+  }
+}
+
+void DdsInputs::take_asked() {
+  asked_->take<StampedPose>([this](const StampedPose& message) {
+    warn_of_frame(options_.ping_at, message.header.frame_id);
+    drive({vector(message.pose.position), orientation(message.pose.orientation)}, {}, seconds(message.header.stamp));
+  });
+}
+
 // Odometry's twist is in the vehicle's frame.
 void DdsInputs::take_odometry() {
   odometry_->take<Odometry>([this](const Odometry& message) {
-    const std::string frame = message.header.frame_id;
-    if (!frame.empty() && frame != options_.world_frame && !std::exchange(warned_of_frame_, true)) {
-      complain(fmt::format("{}: poses are in the frame {}, which messages call {}; --world-frame {} would agree",
-                           options_.odometry, printable(frame), options_.world_frame, printable(frame)));
-    }
+    warn_of_frame(options_.odometry, message.header.frame_id);
     const Pose pose{vector(message.pose.pose.position), orientation(message.pose.pose.orientation)};
     const auto& twist = message.twist.twist;
     drive(pose, {pose.orientation * vector(twist.linear), pose.orientation * vector(twist.angular)},
@@ -175,7 +192,7 @@ void DdsInputs::drive(const Pose& world_from_vehicle, const Twist& twist, double
                  .twist = twist,
                  .stamp = stamp != 0 || options_.clock ? stamp : unix_time()});
   } catch (const Error& error) {
-    refusal = fmt::format("{}: {}", options_.tf.empty() ? options_.odometry : "/tf", error.what());
+    refusal = fmt::format("{}: {}", !options_.tf.empty() ? "/tf" : options_.odometry + options_.ping_at, error.what());
   }
   if (!refusal.empty() && refusal_.empty()) {  // Once, not for every message.
     complain(refusal);

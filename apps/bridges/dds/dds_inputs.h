@@ -19,6 +19,7 @@ namespace insonify {
 struct DdsInputOptions {
   std::string odometry = {};     ///< Topic; "": none.
   std::string tf = {};           ///< Frame of the vehicle; "": none.
+  std::string ping_at = {};      ///< Topic of poses, each for one ping; "": none.
   std::string world_frame = {};  ///< Frame in which the vehicle's pose is looked up.
   bool clock = false;            ///< Whether time comes from /clock.
   std::string set_topic = {};    ///< Topic of settings; replies go to the topic with "_result" appended.
@@ -55,6 +56,8 @@ class DdsInputs {
   void read();
   void take_all();
   void take_odometry();
+  void take_asked();
+  void warn_of_frame(const std::string& topic, const std::string& frame);
   void take_transforms(DdsReader& reader, bool is_static);
   void take_settings();
   void drive(const Pose& world_from_vehicle, const Twist& twist, double stamp);
@@ -62,7 +65,7 @@ class DdsInputs {
 
   DdsInputOptions options_;
   LiveLoop& loop_;
-  std::optional<DdsReader> odometry_, transforms_, static_transforms_, clock_, settings_;
+  std::optional<DdsReader> odometry_, transforms_, static_transforms_, asked_, clock_, settings_;
   std::shared_ptr<Answers> answers_;
   DdsEntity waitset_, wake_;
   std::vector<Missed> missed_;

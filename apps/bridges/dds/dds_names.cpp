@@ -17,7 +17,7 @@ struct TypeHash {
 };
 
 // A test computes them from the definitions of the MCAP recording: tests/bridges/type_hash_test.py.
-constexpr std::array<TypeHash, 8> kHashes{{
+constexpr std::array<TypeHash, 9> kHashes{{
     {"geometry_msgs::msg::dds_::PoseStamped_",
      "RIHS01_10f3786d7d40fd2b54367835614bff85d4ad3b5dab62bf8bca0cc232d73b4cd8"},
     {"marine_acoustic_msgs::msg::dds_::ProjectedSonarImage_",
@@ -25,6 +25,7 @@ constexpr std::array<TypeHash, 8> kHashes{{
     {"nav_msgs::msg::dds_::Odometry_", "RIHS01_3cc97dc7fb7502f8714462c526d369e35b603cfc34d946e3f2eda2766dfec6e0"},
     {"rosgraph_msgs::msg::dds_::Clock_", "RIHS01_692f7a66e93a3c83e71765d033b60349ba68023a8c689a79e48078bcb5c58564"},
     {"sensor_msgs::msg::dds_::Image_", "RIHS01_d31d41a9a4c4bc8eae9be757b0beed306564f7526c88ea6a4588fb9582527d47"},
+    {"sensor_msgs::msg::dds_::LaserScan_", "RIHS01_64c191398013af96509d518dac71d5164f9382553fce5c1f8cca5be7924bd828"},
     {"sensor_msgs::msg::dds_::PointCloud2_", "RIHS01_9198cabf7da3796ae6fe19c4cb3bdd3525492988c70522628af5daa124bae2b5"},
     {"std_msgs::msg::dds_::String_", "RIHS01_df668c740482bbd48fb39d76a70dfd4bd59db1288021743503259e948f6b1a18"},
     {"tf2_msgs::msg::dds_::TFMessage_", "RIHS01_e369d0f05a23ae52508854b66f6aa0437f3449d652e8cbf22d5abe85d020f087"},

@@ -15,12 +15,11 @@ namespace {
 DdsQos qos_of(const MessageChannel& channel, bool best_effort) {
   constexpr int kKept = 10, kKeptTransforms = 100;
   DdsQos qos(dds_create_qos());
-  const bool is_scenario = channel.kind == MessageKind::kScenario;
   const bool is_transform = channel.kind == MessageKind::kTransforms;
-  const bool is_lossy = best_effort && !is_scenario && !is_transform;
+  const bool is_lossy = best_effort && !channel.latched && !is_transform;
   dds_qset_reliability(qos.get(), is_lossy ? DDS_RELIABILITY_BEST_EFFORT : DDS_RELIABILITY_RELIABLE, DDS_MSECS(100));
-  dds_qset_durability(qos.get(), is_scenario ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
-  dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, is_scenario ? 1 : is_transform ? kKeptTransforms : kKept);
+  dds_qset_durability(qos.get(), channel.latched ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
+  dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, channel.latched ? 1 : is_transform ? kKeptTransforms : kKept);
   return qos;
 }
 

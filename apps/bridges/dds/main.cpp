@@ -42,14 +42,16 @@ int run(const BridgeRequest& request) {
                               fmt::format("enter DDS domain {}", domain_id));
 
   BridgeOptions bridge_options = request.bridge;
-  bridge_options.live.driven = !request.odometry.empty() || !request.tf.empty();
+  bridge_options.live.on_request = bridge_options.lossless = !request.ping_at.empty();
+  bridge_options.live.driven = bridge_options.live.on_request || !request.odometry.empty() || !request.tf.empty();
   bridge_options.live.clocked = request.clock == "simulated";
-  bridge_options.messages.raw = true;  // Encoded only for topics with readers.
+  bridge_options.messages.raw = bridge_options.messages.live = true;  // Encoded only for topics with readers.
   DdsTransport transport(participant.get(), options.best_effort);
   Bridge bridge(bridge_options, transport, MessageForm::kRos2);
   DdsInputs inputs(participant.get(),
                    {.odometry = request.odometry,
                     .tf = request.tf,
+                    .ping_at = request.ping_at,
                     .world_frame = bridge_options.messages.world_frame,
                     .clock = bridge_options.live.clocked,
                     .set_topic = options.set_topic},

@@ -74,7 +74,7 @@ int run(const BridgeRequest& given, int& argc, char** argv) {
   const RosParameters parameters = with_parameters({argv + 1, argv + argc});
   const BridgeRequest& request = parameters.request;
   BridgeOptions options = request.bridge;
-  options.messages.raw = true;
+  options.messages.raw = options.messages.live = true;
   options.live.driven = !request.odometry.empty() || !request.tf.empty();
   options.live.clocked = is_simulated(request.clock);
 

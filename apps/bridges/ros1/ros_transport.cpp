@@ -29,6 +29,12 @@ const char* name_of(MessageKind kind) {
       return "scenario";
     case MessageKind::kRaw:
       return "raw";
+    case MessageKind::kLabels:
+      return "labels";
+    case MessageKind::kDescription:
+      return "description";
+    case MessageKind::kScan:
+      return "scan";
   }
   return "";
 }
@@ -43,7 +49,7 @@ std::string_view sonar_of(std::string_view topic) {
 // Absolute: sonar names may begin with "_", relative names may not.
 std::string RosTransport::topic_name(const MessageChannel& channel) const {
   if (channel.kind == MessageKind::kTransforms) {
-    return "/tf";
+    return channel.topic;
   }
   const bool below_sonar = several_ && channel.kind != MessageKind::kScenario;
   return ros::this_node::getName() + "/" + (below_sonar ? std::string(sonar_of(channel.topic)) + "/" : "") +
@@ -63,9 +69,8 @@ void RosTransport::open(std::size_t sonar, const std::vector<MessageChannel>& ch
     Topic& topic = topics_[name];
     if (!topic.publisher) {
       topic.message.morph(channel.md5, channel.type, channel.definition, "");
-      topic.publisher =
-          topic.message.advertise(node_, name, channel.kind == MessageKind::kTransforms ? kKeptTransforms : kKept,
-                                  channel.kind == MessageKind::kScenario);
+      topic.publisher = topic.message.advertise(
+          node_, name, channel.kind == MessageKind::kTransforms ? kKeptTransforms : kKept, channel.latched);
     }
     channels_[sonar].push_back(&topic);
   }
@@ -79,6 +84,9 @@ bool RosTransport::is_read(std::size_t sonar, std::size_t channel) const {
 void RosTransport::send(std::size_t sonar, std::size_t channel, std::uint64_t /*time_ns*/,
                         const std::vector<std::byte>& message) {
   Topic* topic = channels_.at(sonar).at(channel);
+  if (topic == nullptr) {
+    return;  // Transforms are not wanted.
+  }
   // The stream only reads.
   auto* bytes = reinterpret_cast<std::uint8_t*>(const_cast<std::byte*>(message.data()));
   ros::serialization::IStream stream(bytes, static_cast<std::uint32_t>(message.size()));

@@ -84,13 +84,21 @@ double Bridge::now() const {
   return options_.live.clocked ? clock_ : std::chrono::duration<double>(WallClock::now().time_since_epoch()).count();
 }
 
+// Number of pings that can be sent now.
+std::size_t Bridge::due() const {
+  return static_cast<std::size_t>(std::distance(waiting_.begin(), waiting_.upper_bound(now())));
+}
+
 void Bridge::on_ping(const std::shared_ptr<const LivePing>& ping) {
   const SonarConfig& sonar = ping->world->sonars[static_cast<std::size_t>(ping->sonar)];
   const double travel = options_.at_once ? 0 : 2 * sonar.max_range / *sonar.assumed_sound_speed;
-  const std::lock_guard lock(mutex_);
+  std::unique_lock lock(mutex_);
+  if (options_.lossless) {
+    changed_.wait(lock, [this] { return ending_ || due() < kMostWaiting; });
+  }
   const double transmitted = options_.live.clocked ? ping->clock : now() - ping->computing_time;
   waiting_.emplace(transmitted + travel, ping);
-  if (std::distance(waiting_.begin(), waiting_.upper_bound(now())) > std::ptrdiff_t{kMostWaiting}) {
+  if (!options_.lossless && due() > kMostWaiting) {
     waiting_.erase(waiting_.begin());
     ++dropped_;
   }
@@ -118,6 +126,12 @@ void Bridge::on_clock(double time) {
   }
   clock_ = time;
   changed_.notify_all();
+}
+
+void Bridge::on_idle() {
+  if (when_idle_) {
+    when_idle_();
+  }
 }
 
 void Bridge::on_note(const std::string& text) {
@@ -159,6 +173,7 @@ void Bridge::translate() {
       opened_.reset();
     } else {
       ping = std::move(waiting_.extract(waiting_.begin()).mapped());
+      changed_.notify_all();  // There is room again.
     }
     if (gains_changed_) {
       gains_changed_ = false;
@@ -172,7 +187,7 @@ void Bridge::translate() {
       } else if (!world_ || world_->change < world->change) {
         open(*world);
         world_ = world;
-        send_scenario(static_cast<std::uint64_t>(unix_time() * 1e9));
+        send_latched(static_cast<std::uint64_t>(unix_time() * 1e9));
       }
     } catch (const std::exception& error) {
       complain_once(error.what());
@@ -193,24 +208,35 @@ MessageOptions Bridge::options_of(const MessageSource& source, std::size_t sonar
 }
 
 void Bridge::open(const LiveWorld& world) {
-  sent_scenario_ = false;
+  sent_latched_ = false;
   messages_.clear();
   transport_.begin(world);
+  std::vector<std::string> labels;
+  for (const Instance& instance : world.scene.instances) {
+    labels.push_back(instance.name);
+  }
   for (const SonarConfig& sonar : world.sonars) {
-    const MessageSource source = message_source(world.scenario, sonar);
+    MessageSource source = message_source(world.scenario, sonar);
+    source.labels = labels;
     messages_.emplace_back(source, options_of(source, messages_.size()), form_);
     transport_.open(messages_.size() - 1, messages_.back().channels());
   }
 }
 
-void Bridge::send_scenario(std::uint64_t time_ns) {
-  const std::vector<MessageChannel>& channels = messages_.front().channels();
-  for (std::size_t channel = 0; channel < channels.size() && !sent_scenario_; ++channel) {
-    if (channels[channel].kind == MessageKind::kScenario) {
-      transport_.send(0, channel, time_ns, messages_.front().encode(channel));
-      sent_scenario_ = true;
+// The scenario's text and the mountings of all sonars are one message each.
+void Bridge::send_latched(std::uint64_t time_ns) {
+  for (std::size_t sonar = 0; sonar < messages_.size() && !sent_latched_; ++sonar) {
+    const std::vector<MessageChannel>& channels = messages_[sonar].channels();
+    for (std::size_t channel = 0; channel < channels.size(); ++channel) {
+      const MessageKind kind = channels[channel].kind;
+      if (channels[channel].latched && (sonar == 0 || kind == MessageKind::kDescription)) {
+        transport_.send(
+            sonar, channel, time_ns,
+            kind == MessageKind::kTransforms ? SonarMessages::mountings(messages_) : messages_[sonar].encode(channel));
+      }
     }
   }
+  sent_latched_ = true;
 }
 
 // A message has the stamp of the pose that its ping was made from. Further pings from the same pose are later by the
@@ -230,9 +256,11 @@ void Bridge::send(const LivePing& live) {
                                                 : transmitted + (told ? live.stamp - live.received_at : 0);
   constexpr double kEarliest = 1e-9;
   messages.take(live.ping, std::max(kEarliest, new_pose ? live.stamp : by_clock));
-  send_scenario(messages.time_ns());
+  send_latched(messages.time_ns());
   for (std::size_t channel = 0; channel < messages.channels().size(); ++channel) {
-    if (messages.channels()[channel].kind != MessageKind::kScenario && transport_.is_read(sonar, channel)) {
+    const MessageChannel& is = messages.channels()[channel];
+    if (!is.latched && transport_.is_read(sonar, channel) &&
+        (is.kind != MessageKind::kScan || messages.is_due(channel))) {
       transport_.send(sonar, channel, messages.time_ns(), messages.encode(channel));
     }
   }

@@ -28,7 +28,7 @@ class Transport {
   virtual void begin(const LiveWorld& /*world*/) {}
   /// Called before the first message of a sonar, and again after each change of the scenario.
   virtual void open(std::size_t sonar, const std::vector<MessageChannel>& channels) = 0;
-  /// Whether a channel has readers: others are not encoded. The scenario is always sent.
+  /// Whether a channel has readers: others are not encoded. Latched messages are always sent.
   [[nodiscard]] virtual bool is_read(std::size_t sonar, std::size_t channel) const = 0;
   /// Exceptions are reported; the next ping tries again.
   virtual void send(std::size_t sonar, std::size_t channel, std::uint64_t time_ns,
@@ -37,7 +37,8 @@ class Transport {
 
 /// Encodes and sends in a thread of its own, beside the LiveLoop's and the caller's. A ping is sent when its last echo
 /// could be back, by the clock of the pings, or at once with BridgeOptions::at_once. If sending takes longer than the
-/// interval between pings, the oldest pings are dropped and counted when more than kMostWaiting are due.
+/// interval between pings, the oldest pings are dropped and counted when more than kMostWaiting are due; with
+/// BridgeOptions::lossless the next ping waits.
 class Bridge : private LiveListener {
  public:
   static constexpr std::size_t kMostWaiting = 4;
@@ -48,10 +49,14 @@ class Bridge : private LiveListener {
   Bridge(const Bridge&) = delete;
   Bridge& operator=(const Bridge&) = delete;
 
-  /// Opens the channels, sends the scenario and starts to make pings.
+  /// Opens the channels, sends what is latched and starts to make pings.
   void start();
   /// Ends within the time of a few beams. Queued pings are discarded.
   void end();
+
+  /// Sets what is called when the loop waits for a pose or a time from another program, in the loop's thread. Before
+  /// start().
+  void when_idle(std::function<void()> call) { when_idle_ = std::move(call); }
 
   /// Applies a gain to a sonar's images [dB], from the next ping on: their lowest and highest value stand for levels
   /// lower by it. No effect on linear values (SonarMessages::levels()).
@@ -66,12 +71,14 @@ class Bridge : private LiveListener {
   void on_world(const std::shared_ptr<const LiveWorld>& world) override;
   void on_note(const std::string& text) override;
   void on_clock(double time) override;
+  void on_idle() override;
   [[nodiscard]] double now() const;
+  [[nodiscard]] std::size_t due() const;
   void release_all();
   void wait_for_work(std::unique_lock<std::mutex>& lock);
   void translate();
   void open(const LiveWorld& world);
-  void send_scenario(std::uint64_t time_ns);
+  void send_latched(std::uint64_t time_ns);
   void send(const LivePing& ping);
   void complain_once(const std::string& problem);
   [[nodiscard]] MessageOptions options_of(const MessageSource& source, std::size_t sonar) const;
@@ -81,6 +88,7 @@ class Bridge : private LiveListener {
   MessageForm form_;
   std::unique_ptr<LiveLoop> loop_;
   TransportReport report_;
+  std::function<void()> when_idle_;
 
   std::mutex mutex_;
   std::condition_variable changed_;
@@ -98,7 +106,7 @@ class Bridge : private LiveListener {
   std::vector<SonarMessages> messages_;
   std::map<std::size_t, double> applied_gains_db_;
   std::map<int, double> received_at_;  // LivePing::received_at of each sonar's last ping.
-  bool sent_scenario_ = false;
+  bool sent_latched_ = false;
   std::string last_problem_;
 };
 

@@ -22,6 +22,10 @@ void add_ros_inputs(const Command& command, BridgeRequest& request, const char* 
   command.option("--tf", "FRAME", &request.tf, "Frame of the vehicle, whose pose is looked up in tf [the trajectory]",
                  not_empty("a frame, such as base_link"));
   command.exclude("--tf", {"--odometry"});
+  command.option("--vehicle-frame", "FRAME", &request.bridge.messages.vehicle_frame,
+                 "Frame of the vehicle in tf: sonars' mountings on it go to /tf_static, rather than their places in "
+                 "the world to /tf",
+                 not_empty("a frame, such as base_link"));
   command.option("--clock", "NAME", &request.clock,
                  fmt::format("Clock of the pings: wall, or simulated, that of the topic /clock [{}]", clock),
                  one_of({"wall", "simulated"}));
@@ -33,6 +37,10 @@ void add_ros1_options(const Command& command, BridgeRequest& request) {
 
 void add_dds_options(const Command& command, BridgeRequest& request) {
   add_ros_inputs(command, request, "wall");
+  command.option("--ping-at", "TOPIC", &request.ping_at,
+                 "Topic of geometry_msgs/PoseStamped: a ping for each message, from its pose, and no others",
+                 not_empty("a topic, such as /insonify/ping"));
+  command.exclude("--ping-at", {"--odometry", "--tf", "--clock"});
   DdsOptions& options = request.dds;
   command.option("--set-topic", "TOPIC", &options.set_topic,
                  "Topic of std_msgs/String whose messages change settings, as --set does [/insonify/set]",
@@ -70,6 +78,9 @@ constexpr BridgeKind kKinds[] = {
                "  fan, raw    sensor_msgs/Image\n"
                "  points, true_points  sensor_msgs/PointCloud2\n"
                "  pose        geometry_msgs/PoseStamped\n"
+               "  labels      sensor_msgs/Image\n"
+               "  scan        sensor_msgs/LaserScan, of scanning sonars\n"
+               "  description std_msgs/String\n"
                "  scenario    std_msgs/String, latched\n"
                "and /tf. Range and gain by dynamic_reconfigure, other settings by the topic set. Each option is a\n"
                "parameter too (world_frame), and there are range, gain and publish_tf.\n"
@@ -83,17 +94,22 @@ constexpr BridgeKind kKinds[] = {
     {.name = "dds",
      .help = "Topics of ROS 2, over DDS without ROS 2: sonar images, fans, points and transforms",
      .packages = "cyclonedds-dev cyclonedds-tools",
-     .footer = "Topics of a sonar named fls:\n"
-               "  /fls/sonar_image  marine_acoustic_msgs/msg/ProjectedSonarImage\n"
-               "  /fls/fan, raw     sensor_msgs/msg/Image\n"
-               "  /fls/points, true_points  sensor_msgs/msg/PointCloud2\n"
-               "  /fls/pose         geometry_msgs/msg/PoseStamped\n"
-               "and /tf and /scenario. As nodes of ROS 2 do, it reads ROS_DOMAIN_ID, ROS_LOCALHOST_ONLY,\n"
-               "ROS_AUTOMATIC_DISCOVERY_RANGE, ROS_STATIC_PEERS and CYCLONEDDS_URI.\n\n"
-               "Examples:\n"
-               "  insonify bridge dds dive.yaml\n"
-               "  insonify bridge dds dive.yaml --odometry /auv/odom --world-frame odom\n"
-               "  insonify bridge dds dive.yaml --tf base_link --clock simulated --domain 7",
+     .footer =
+         "Topics of a sonar named fls:\n"
+         "  /fls/sonar_image  marine_acoustic_msgs/msg/ProjectedSonarImage\n"
+         "  /fls/fan, raw     sensor_msgs/msg/Image\n"
+         "  /fls/points, true_points  sensor_msgs/msg/PointCloud2\n"
+         "  /fls/pose         geometry_msgs/msg/PoseStamped\n"
+         "  /fls/labels       sensor_msgs/msg/Image\n"
+         "  /fls/scan         sensor_msgs/msg/LaserScan, of scanning sonars\n"
+         "  /fls/description  std_msgs/msg/String\n"
+         "and /tf, or /tf_static, and /scenario. As nodes of ROS 2 do, it reads ROS_DOMAIN_ID, ROS_LOCALHOST_ONLY,\n"
+         "ROS_AUTOMATIC_DISCOVERY_RANGE, ROS_STATIC_PEERS and CYCLONEDDS_URI.\n\n"
+         "Examples:\n"
+         "  insonify bridge dds dive.yaml\n"
+         "  insonify bridge dds dive.yaml --odometry /auv/odom --world-frame odom\n"
+         "  insonify bridge dds dive.yaml --tf base_link --clock simulated --domain 7\n"
+         "  insonify bridge dds dive.yaml --ping-at /insonify/ping --at-once",
      .ros1_words = false,
      .add_options = add_dds_options},
     {.name = "gazebo",

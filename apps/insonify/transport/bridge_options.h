@@ -20,8 +20,9 @@ struct BridgeOptions {
   std::vector<std::string> settings = {};  ///< "key=value", in order.
   LiveOptions live = {};
   MessageOptions messages = {.bits = 8};  ///< Few programs that make points of sonar images take 16 bits.
-  bool at_once = false;  ///< Whether pings are sent as soon as they are computed, before their sound could be back.
-  bool quiet = false;    ///< Print nothing but warnings and errors.
+  bool at_once = false;   ///< Whether pings are sent as soon as they are computed, before their sound could be back.
+  bool lossless = false;  ///< Whether no ping is dropped: the next is made when there is room for it.
+  bool quiet = false;     ///< Print nothing but warnings and errors.
 };
 
 /// Options for a bridge's participation in DDS.
@@ -38,6 +39,7 @@ struct BridgeRequest {
   BridgeOptions bridge;
   std::string odometry;                    ///< Topic of nav_msgs/Odometry for poses; "": none.
   std::string tf;                          ///< Frame of the vehicle, looked up in the world's frame; "": none.
+  std::string ping_at;                     ///< Topic of geometry_msgs/PoseStamped, a ping for each; "": none.
   std::string clock;                       ///< wall or simulated; "": the bridge's default.
   DdsOptions dds;                          ///< For the bridge to DDS.
   std::string world;                       ///< Gazebo world; "": the only one.

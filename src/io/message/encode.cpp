@@ -164,6 +164,18 @@ std::vector<std::byte> encode_cloud(MessageForm form, const MessageHeader& heade
   return out.take();
 }
 
+std::vector<std::byte> encode_scan(MessageForm form, const MessageHeader& header, const LineScan& scan) {
+  RosWriter out(form, 2 * scan.ranges.size() * sizeof(float) + kAroundData);
+  put(out, header);
+  const double last_angle = scan.first_angle + static_cast<double>(scan.ranges.size() - 1) * scan.step;
+  for (const double value :
+       {scan.first_angle, last_angle, scan.step, scan.interval, scan.duration, scan.least_range, scan.most_range}) {
+    out.put(static_cast<float>(value));
+  }
+  out.put(std::span(scan.ranges), std::span(scan.intensities));
+  return out.take();
+}
+
 std::vector<std::byte> encode_sonar_image(MessageForm form, const MessageHeader& header, const SonarImageFacts& facts,
                                           std::span<const std::uint8_t> values) {
   return encode_values(form, header, facts, values);

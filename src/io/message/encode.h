@@ -44,6 +44,16 @@ struct CloudPoint {
   float intensity = 0;        ///< [dB]
 };
 
+/// sensor_msgs/LaserScan.
+struct LineScan {
+  double first_angle = 0, step = 0;        ///< Positive to port [rad].
+  double interval = 0;                     ///< Between pings [s].
+  double duration = 0;                     ///< From the first ping of a scan to that of the next [s].
+  double least_range = 0, most_range = 0;  ///< [m]
+  std::vector<float> ranges;               ///< Of each ping, infinite without a return [m].
+  std::vector<float> intensities;          ///< [dB]
+};
+
 [[nodiscard]] std::vector<std::byte> encode_text(MessageForm form, std::string_view text);
 [[nodiscard]] std::vector<std::byte> encode_pose(MessageForm form, const MessageHeader& header, const Pose& pose);
 [[nodiscard]] std::vector<std::byte> encode_transforms(MessageForm form, std::span<const FramePose> frames);
@@ -56,6 +66,9 @@ struct CloudPoint {
                                                        std::span<const std::uint16_t> values);
 [[nodiscard]] std::vector<std::byte> encode_cloud(MessageForm form, const MessageHeader& header,
                                                   std::span<const CloudPoint> points);
+
+/// @param form  That of ROS 1 or 2.
+[[nodiscard]] std::vector<std::byte> encode_scan(MessageForm form, const MessageHeader& header, const LineScan& scan);
 
 /// @param values  One per cell, of 8 or 16 bits, range-major: a row holds all beams at one range. (The comment in the
 ///                .msg file says otherwise, but readers expect this order.)

@@ -77,6 +77,17 @@ constexpr std::pair<std::string_view, std::string_view> kTypes[] = {
      "uint32 row_step\n"
      "uint8[] data\n"
      "bool is_dense\n"},
+    {"sensor_msgs/LaserScan",
+     "std_msgs/Header header\n"
+     "float32 angle_min\n"
+     "float32 angle_max\n"
+     "float32 angle_increment\n"
+     "float32 time_increment\n"
+     "float32 scan_time\n"
+     "float32 range_min\n"
+     "float32 range_max\n"
+     "float32[] ranges\n"
+     "float32[] intensities\n"},
     {"marine_acoustic_msgs/PingInfo",
      "float32 frequency\n"
      "float32 sound_speed\n"
@@ -111,11 +122,12 @@ constexpr std::pair<std::string_view, std::string_view> kRos1Header = {"std_msgs
                                                                        "time stamp\n"
                                                                        "string frame_id\n"};
 
-// MD5 of a definition with each type in it as the MD5 of its own: RosTest.ChecksumsAreThoseOfRos computes them.
+// MD5 of a definition with each type in it as the MD5 of its own.
 constexpr std::pair<std::string_view, std::string_view> kRos1Checksums[] = {
     {"geometry_msgs/PoseStamped", "d3812c3cbc69362b77dc0b19b345f8f5"},
     {"marine_acoustic_msgs/ProjectedSonarImage", "c72fc8e29ab227a547720a36666022fd"},
     {"sensor_msgs/Image", "060021388200f6f0f447d0fcd9c64743"},
+    {"sensor_msgs/LaserScan", "90c7ef2dc6895d81024acba2ac42f369"},
     {"sensor_msgs/PointCloud2", "1158d486dd51d683ce2f1be655c3c181"},
     {"std_msgs/String", "992ce8a1687cec8c8bd883ec73ca41d1"},
     {"tf2_msgs/TFMessage", "94810edda583a504dfda3829e70d7eec"},
@@ -156,6 +168,9 @@ std::string_view gazebo_type(MessageKind kind) {
     case MessageKind::kSonarImage:
     case MessageKind::kFan:
     case MessageKind::kRaw:
+    case MessageKind::kLabels:  // These are ROS's alone.
+    case MessageKind::kDescription:
+    case MessageKind::kScan:
       break;
   }
   return "gz.msgs.Image";
@@ -181,7 +196,8 @@ std::string_view ros1_checksum(std::string_view type) {
   return found->second;
 }
 
-std::vector<MessageChannel> message_channels(const std::string& name, MessageForm form, bool raw) {
+std::vector<MessageChannel> message_channels(const std::string& name, MessageForm form, const MessageOptions& options,
+                                             bool scans) {
   const std::string at = "/" + name;
   const auto channel = [form](MessageKind kind, std::string topic, const std::string& package,
                               const std::string& type) -> MessageChannel {
@@ -200,10 +216,21 @@ std::vector<MessageChannel> message_channels(const std::string& name, MessageFor
       channel(MessageKind::kPoints, at + "/points", "sensor_msgs", "PointCloud2"),
       channel(MessageKind::kTruePoints, at + "/true_points", "sensor_msgs", "PointCloud2"),
       channel(MessageKind::kPose, at + "/pose", "geometry_msgs", "PoseStamped"),
-      channel(MessageKind::kTransforms, "/tf", "tf2_msgs", "TFMessage"),
+      channel(MessageKind::kTransforms, options.vehicle_frame.empty() ? "/tf" : "/tf_static", "tf2_msgs", "TFMessage"),
       channel(MessageKind::kScenario, "/scenario", "std_msgs", "String")};
-  if (raw) {
+  if (options.raw) {
     channels.push_back(channel(MessageKind::kRaw, at + "/raw", "sensor_msgs", "Image"));
+  }
+  if (options.live) {
+    channels.push_back(channel(MessageKind::kLabels, at + "/labels", "sensor_msgs", "Image"));
+    channels.push_back(channel(MessageKind::kDescription, at + "/description", "std_msgs", "String"));
+  }
+  if (options.live && scans) {
+    channels.push_back(channel(MessageKind::kScan, at + "/scan", "sensor_msgs", "LaserScan"));
+  }
+  for (MessageChannel& each : channels) {
+    each.latched =
+        each.kind == MessageKind::kScenario || each.kind == MessageKind::kDescription || each.topic == "/tf_static";
   }
   return channels;
 }

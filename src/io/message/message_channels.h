@@ -12,8 +12,9 @@
 namespace insonify {
 
 /// Channels of the sonar called `name` in topics.
-/// @param raw  Whether to include one for raw images.
-[[nodiscard]] std::vector<MessageChannel> message_channels(const std::string& name, MessageForm form, bool raw);
+/// @param scans  Whether it is a scanning sonar.
+[[nodiscard]] std::vector<MessageChannel> message_channels(const std::string& name, MessageForm form,
+                                                           const MessageOptions& options, bool scans);
 
 /// The definition of a type, followed by those of all types that it is made of: each after a line of 80 equals signs
 /// and a line "MSG: package/Type".

@@ -13,9 +13,11 @@
 #include "insonify/messages.h"
 #include "insonify/printable.h"
 #include "io/message/encode.h"
+#include "io/message/head_scan.h"
 #include "io/message/message_channels.h"
 #include "io/message/message_display.h"
 #include "io/message/ros_name.h"
+#include "io/message/sonar_description.h"
 
 namespace insonify {
 namespace {
@@ -62,6 +64,20 @@ std::vector<Value> values_of(const std::vector<float>& raised, const Display& di
   return values;
 }
 
+void check_cells(const Ping& ping, const SonarConfig& sonar) {
+  const std::size_t cells = static_cast<std::size_t>(sonar.bin_count) * static_cast<std::size_t>(sonar.beam_count);
+  if (ping.bin_count != sonar.bin_count || ping.beam_count != sonar.beam_count) {
+    throw Error(fmt::format("ping {} of {} has {} x {}, must have {} x {}", ping.number, sonar.name,
+                            counted(ping.beam_count, "beam"), counted(ping.bin_count, "bin"), sonar.beam_count,
+                            sonar.bin_count));
+  }
+  if (ping.intensity.size() != cells || (!ping.elevation.empty() && ping.elevation.size() != cells)) {
+    throw Error(fmt::format("ping {} of {} has {} {}, must have {}", ping.number, sonar.name,
+                            ping.intensity.size() != cells ? ping.intensity.size() : ping.elevation.size(),
+                            ping.intensity.size() != cells ? "intensities" : "elevations", cells));
+  }
+}
+
 // The intensity above which a value counts as clipped: half a step above the brightest one. Below it, values are as
 // exact as others, such as the brightest ones of a recording that is exported again.
 double lowest_cut(const MessageLevels& levels, int bits) {
@@ -90,6 +106,7 @@ struct SonarMessages::State {
   std::deque<Ping> scanned = {};            // Pings of a scanning sonar's last turn, raised.
   std::optional<double> fan_interval = {};  // Interval of time, counted from time 0, of the last fan picture in a file.
   bool fan_is_due = true;                   // Whether the current ping has one.
+  HeadScan head_scan = {};
 
   [[nodiscard]] MessageHeader header(const std::string& frame) const {
     return {time_ns, frame, static_cast<std::uint32_t>(ping.number)};
@@ -99,7 +116,9 @@ struct SonarMessages::State {
   [[nodiscard]] std::vector<std::byte> raw_image() const;
   [[nodiscard]] Picture fan() const;
   [[nodiscard]] std::vector<std::byte> points(bool true_elevations) const;
-  [[nodiscard]] std::vector<std::byte> transforms() const;
+  [[nodiscard]] std::vector<FramePose> transforms() const;
+  [[nodiscard]] std::vector<std::byte> labels() const;
+  [[nodiscard]] std::vector<std::byte> scan() const;
 };
 
 std::vector<std::byte> SonarMessages::State::sonar_image() const {
@@ -154,10 +173,25 @@ std::vector<std::byte> SonarMessages::State::points(bool true_elevations) const 
                       strong_points(ping, raised.intensity, source.sonar, options.strong_share, true_elevations));
 }
 
-std::vector<std::byte> SonarMessages::State::transforms() const {
-  const FramePose frames[] = {{header(options.world_frame), name, ping.world_from_sonar},
-                              {header(name), name + "_beams", housing_from_beams(source.sonar)}};
-  return encode_transforms(form, frames);
+std::vector<FramePose> SonarMessages::State::transforms() const {
+  const FramePose beams{header(name), name + "_beams", housing_from_beams(source.sonar)};
+  if (!options.vehicle_frame.empty()) {
+    return {{header(options.vehicle_frame), name, source.sonar.vehicle_from_sonar()}, beams};
+  }
+  return {{header(options.world_frame), name, ping.world_from_sonar}, beams};
+}
+
+// Without ground truth, no cell has a label.
+std::vector<std::byte> SonarMessages::State::labels() const {
+  std::vector<std::uint16_t> values = ping.instance;
+  values.resize(ping.intensity.size(), kNoLabel);
+  return encode_grey_image(form, header(name), static_cast<std::size_t>(source.sonar.beam_count), values);
+}
+
+std::vector<std::byte> SonarMessages::State::scan() const {
+  const std::optional<HeadScan::Ended>& ended = head_scan.ended();
+  assert(ended);
+  return encode_scan(form, {ended->time_ns, name, static_cast<std::uint32_t>(ended->first_ping)}, ended->scan);
 }
 
 SonarMessages::SonarMessages(MessageSource source, MessageOptions options, MessageForm form) {
@@ -172,7 +206,7 @@ SonarMessages::SonarMessages(MessageSource source, MessageOptions options, Messa
   const std::string name = ros_name(source.name.empty() ? source.sonar.name : source.name);
   const double sound_speed = source.sonar.assumed_sound_speed.value_or(0);  // 0: unknown, as the .msg file says.
   SonarImageFacts facts = image_facts(source.sonar, sound_speed);
-  std::vector<MessageChannel> channels = message_channels(name, form, options.raw);
+  std::vector<MessageChannel> channels = message_channels(name, form, options, source.sonar.scans());
   state_ = std::make_unique<State>(
       State{std::move(source), std::move(options), form, name, std::move(channels), display, std::move(facts)});
 }
@@ -191,17 +225,7 @@ MessageLevels SonarMessages::levels() const {
 
 void SonarMessages::take(const Ping& ping, double time) {
   const SonarConfig& sonar = state_->source.sonar;
-  const std::size_t cells = static_cast<std::size_t>(sonar.bin_count) * static_cast<std::size_t>(sonar.beam_count);
-  if (ping.bin_count != sonar.bin_count || ping.beam_count != sonar.beam_count) {
-    throw Error(fmt::format("ping {} of {} has {} x {}, must have {} x {}", ping.number, sonar.name,
-                            counted(ping.beam_count, "beam"), counted(ping.bin_count, "bin"), sonar.beam_count,
-                            sonar.bin_count));
-  }
-  if (ping.intensity.size() != cells || (!ping.elevation.empty() && ping.elevation.size() != cells)) {
-    throw Error(fmt::format("ping {} of {} has {} {}, must have {}", ping.number, sonar.name,
-                            ping.intensity.size() != cells ? ping.intensity.size() : ping.elevation.size(),
-                            ping.intensity.size() != cells ? "intensities" : "elevations", cells));
-  }
+  check_cells(ping, sonar);
   const std::uint64_t start_ns = state_->options.start_ns.value_or(0);
   if (!(time >= 0 && static_cast<double>(start_ns) * 1e-9 + time < kTimeLimit - 1)) {
     throw Error(
@@ -218,10 +242,14 @@ void SonarMessages::take(const Ping& ping, double time) {
   kept.beam_count = ping.beam_count;
   kept.intensity = ping.intensity;
   kept.elevation = ping.elevation;
+  if (state_->options.live) {
+    kept.instance = ping.instance;
+  }
   state_->time_ns = start_ns + static_cast<std::uint64_t>(std::llround(time * 1e9));
   state_->look_for_fan();
   Ping bare = kept;
   bare.elevation.clear();
+  bare.instance.clear();
   state_->raised = raised_by_range(std::move(bare), sonar, state_->display.raised_per_decade);
   const auto limit = static_cast<float>(lowest_cut(levels(), state_->options.bits));
   for (const float value : state_->raised.intensity) {
@@ -230,7 +258,10 @@ void SonarMessages::take(const Ping& ping, double time) {
       state_->loudest = std::max(state_->loudest, static_cast<double>(value));
     }
   }
-  state_->values += cells;
+  state_->values += kept.intensity.size();
+  if (state_->options.live && sonar.scans()) {
+    state_->head_scan.add(kept, state_->raised, state_->time_ns, sonar, state_->display);
+  }
   if (sonar.product() == Product::kLine) {
     state_->scanned.push_back(state_->raised);
     if (state_->scanned.size() > std::min(sonar.pings_per_turn(), kMostScanned)) {
@@ -241,7 +272,9 @@ void SonarMessages::take(const Ping& ping, double time) {
 
 bool SonarMessages::is_due(std::size_t channel) const {
   assert(channel < state_->channels.size());
-  return state_->channels[channel].kind != MessageKind::kFan || state_->fan_is_due;
+  const MessageKind kind = state_->channels[channel].kind;
+  return kind == MessageKind::kScan ? state_->head_scan.ended().has_value()
+                                    : kind != MessageKind::kFan || state_->fan_is_due;
 }
 
 std::vector<std::byte> SonarMessages::encode(std::size_t channel) const {
@@ -259,13 +292,27 @@ std::vector<std::byte> SonarMessages::encode(std::size_t channel) const {
     case MessageKind::kPose:
       return encode_pose(state.form, state.header(state.options.world_frame), state.ping.world_from_sonar);
     case MessageKind::kTransforms:
-      return state.transforms();
+      return encode_transforms(state.form, state.transforms());
     case MessageKind::kRaw:
       return state.raw_image();
+    case MessageKind::kLabels:
+      return state.labels();
+    case MessageKind::kDescription:
+      return encode_text(state.form, sonar_description(state.source, state.options, state.name));
+    case MessageKind::kScan:
+      return state.scan();
     case MessageKind::kScenario:
       break;
   }
   return encode_text(state.form, state.source.scenario);
+}
+
+std::vector<std::byte> SonarMessages::mountings(const std::vector<SonarMessages>& sonars) {
+  std::vector<FramePose> frames;
+  for (const SonarMessages& each : sonars) {
+    std::ranges::move(each.state_->transforms(), std::back_inserter(frames));
+  }
+  return encode_transforms(sonars.front().state_->form, frames);
 }
 
 std::string SonarMessages::cut_text() const {

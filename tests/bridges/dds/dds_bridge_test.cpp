@@ -173,6 +173,45 @@ TEST_F(DdsBridgeTest, MessagesAreThoseOfTheRecordings) {
   EXPECT_LT(seconds, kPrompt);
 }
 
+// Six poses at once have six pings, with their stamps; whoever comes later knows the sonar and where it is mounted.
+TEST_F(DdsBridgeTest, EachPoseThatIsAskedForHasAPing) {
+  folder_.write("dive.yaml", scenario());
+  StartedBridge bridge = start({"--ping-at", "/insonify/ping", "--vehicle-frame", "base_link"});
+  const auto poses = node_.reader("rt/fls/pose", "geometry_msgs::msg::dds_::PoseStamped_");
+  const auto labels = node_.reader("rt/fls/labels", "sensor_msgs::msg::dds_::Image_");
+  const auto ping = node_.writer("rt/insonify/ping", "geometry_msgs::msg::dds_::PoseStamped_");
+  ASSERT_TRUE(ping->wait_for_reader());
+  ASSERT_TRUE(poses->wait_for_writer());
+  ASSERT_TRUE(labels->wait_for_writer());
+  std::this_thread::sleep_for(kDiscovery);
+  for (int i = 0; i < kPings; ++i) {
+    ping->write(pose_stamped(70 + 0.5 * i, x_at(i), 1, radians_from_degrees(90)));
+  }
+  ASSERT_TRUE(poses->wait_for(kPings));
+  ASSERT_TRUE(labels->wait_for(kPings));
+  const std::vector<Bytes> messages = poses->messages();
+  for (int i = 0; i < kPings; ++i) {
+    const Bytes expected = pose_stamped(70 + 0.5 * i, x_at(i), 1, radians_from_degrees(90));
+    EXPECT_TRUE(cut_to(messages[static_cast<std::size_t>(i)], expected.size()) == expected) << i;
+  }
+  const auto late = node_.reader("rt/fls/description", "std_msgs::msg::dds_::String_", {.transient_local = true});
+  ASSERT_TRUE(late->wait_for(1));
+  const Bytes description = late->messages().front();
+  EXPECT_THAT(CdrReader(description).text(), testing::StartsWith(R"({"name":"fls","type":"fls",)"));
+  const auto mountings = node_.reader("rt/tf_static", "tf2_msgs::msg::dds_::TFMessage_", {.transient_local = true});
+  ASSERT_TRUE(mountings->wait_for(1));
+  const Bytes mounting = mountings->messages().front();
+  CdrReader cdr(mounting);
+  EXPECT_EQ(cdr.get<std::uint32_t>(), 2U);
+  (void)cdr.get<std::int32_t>();
+  (void)cdr.get<std::uint32_t>();
+  EXPECT_EQ(cdr.text(), "base_link");
+  EXPECT_EQ(cdr.text(), "fls");
+  EXPECT_EQ(node_.user_data("rt/insonify/ping"),
+            fmt::format("typehash={};", type_hash("geometry_msgs::msg::dds_::PoseStamped_")));
+  EXPECT_EQ(poses->messages().size(), std::size_t{kPings});
+}
+
 // Heading to +y at 9 m/s: along the axes of the vehicle that is (9, 0, 0). While a sonar listens to 40 m it moves by
 // half a metre, as the echoes of `insonify run` show on a trajectory of that speed.
 TEST_F(DdsBridgeTest, TheTwistOfOdometryIsAlongTheAxesOfTheVehicle) {

@@ -50,6 +50,18 @@ inline Bytes odometry(double time, double x, double y, double yaw = 0, double sp
   return cdr.take();
 }
 
+/// geometry_msgs/msg/PoseStamped.
+/// @param yaw  Heading, from x to y [rad].
+inline Bytes pose_stamped(double time, double x, double y, double yaw = 0) {
+  RosWriter cdr;
+  put_time(cdr, time);
+  cdr.put(std::string_view("world"));
+  for (const double value : {x, y, 0.0, 0.0, 0.0, std::sin(yaw / 2), std::cos(yaw / 2)}) {
+    cdr.put(value);
+  }
+  return cdr.take();
+}
+
 /// marine_acoustic_msgs/msg/ProjectedSonarImage with 16 bits a value.
 struct SonarImage {
   double time = 0;  // [s]

@@ -48,6 +48,12 @@ TEST(MessageDefinitionTest, ListsEachTypeOnceAfterThoseThatUseIt) {
                 "\nMSG: geometry_msgs/Quaternion\nfloat64 x\nfloat64 y\nfloat64 z\nfloat64 w\n");
 }
 
+// As `rosmsg md5` of the release Noetic prints them.
+TEST(MessageDefinitionTest, ChecksumsAreThoseOfRos1) {
+  EXPECT_EQ(ros1_checksum("sensor_msgs/LaserScan"), "90c7ef2dc6895d81024acba2ac42f369");
+  EXPECT_EQ(ros1_checksum("sensor_msgs/Image"), "060021388200f6f0f447d0fcd9c64743");
+}
+
 TEST(RosNameTest, HasOnlyWhatTopicsAllow) {
   EXPECT_EQ(ros_name("fls"), "fls");
   EXPECT_EQ(ros_name("front left-2"), "front_left_2");

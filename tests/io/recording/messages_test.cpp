@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "io/cdr_read.h"
 #include "io/message/message_display.h"
@@ -289,6 +290,78 @@ TEST(SonarMessagesTest, RawImageHasAPixelForEachBeamAndBin) {
   }
   SonarMessages without(source_of(fan()));
   EXPECT_THROW((void)encoded(without, MessageKind::kRaw), Error);
+}
+
+TEST(SonarMessagesTest, LabelsAreThoseOfThePing) {
+  for (const bool known : {true, false}) {
+    SonarMessages messages(source_of(fan()), {.live = true});
+    Ping ping = ping_of(fan(), kLevels);
+    if (known) {
+      ping.instance = {4, kNoLabel, 0, 300, 1, 2};
+    }
+    messages.take(ping);
+    CdrRead in = encoded(messages, MessageKind::kLabels);
+    EXPECT_EQ(in.header(), std::tuple(12, 250'000'000U, "fls_2"));
+    EXPECT_EQ(in.number<std::uint32_t>(), 2U);  // Bins.
+    EXPECT_EQ(in.number<std::uint32_t>(), 3U);  // Beams.
+    EXPECT_EQ(in.text(), "mono16");
+    EXPECT_EQ(in.number<std::uint8_t>(), 0);
+    EXPECT_EQ(in.number<std::uint32_t>(), 6U);
+    const std::vector<std::uint8_t> bytes = in.numbers<std::uint8_t>();
+    std::vector<int> labels;
+    for (std::size_t i = 0; i < bytes.size(); i += 2) {
+      labels.push_back(bytes[i] + 256 * bytes[i + 1]);
+    }
+    EXPECT_EQ(labels, known ? std::vector<int>({4, 65535, 0, 300, 1, 2}) : std::vector<int>(6, 65535));
+  }
+}
+
+TEST(SonarMessagesTest, DescriptionHasBeamsBinsLevelsAndLabels) {
+  MessageSource source = source_of(fan());
+  source.labels = {"wall", "box::\"link\""};
+  SonarMessages messages(source, {.bits = 8, .live = true});
+  const auto json = nlohmann::json::parse(encoded(messages, MessageKind::kDescription).text());
+  EXPECT_EQ(json["name"], "fls-2");
+  EXPECT_EQ(json["type"], "fls");
+  EXPECT_EQ(json["frame"], "fls_2");
+  EXPECT_EQ(json["azimuths"], nlohmann::json({kQuarter, 0.0, -kQuarter}));
+  EXPECT_NEAR(json["receive_widths"][1].get<double>(), kQuarter, 1e-12);
+  EXPECT_EQ(json["elevation_aperture"], 0.5);
+  EXPECT_EQ(json["max_range"], 40.0);
+  EXPECT_EQ(json["bin_count"], 2);
+  EXPECT_EQ(json["sound_speed"], 1480.0);
+  EXPECT_EQ(json["levels"]["low_db"], -100.0);
+  EXPECT_EQ(json["levels"]["bits"], 8);
+  EXPECT_EQ(json["labels"], nlohmann::json(source.labels));
+  EXPECT_FALSE(json.contains("head"));
+}
+
+// Two sonars on a vehicle, the second 2 m ahead of its middle and turned to port.
+TEST(SonarMessagesTest, MountingsAreOneStaticMessage) {
+  SonarConfig other = fan();
+  other.name = "port";
+  other.position = Vec3(2, 0, 0);
+  other.orientation = Vec3(0, 0, 2 * kQuarter);
+  const MessageOptions options{.vehicle_frame = "base_link"};
+  std::vector<SonarMessages> sonars;
+  sonars.emplace_back(source_of(fan()), options);
+  sonars.emplace_back(source_of(other), options);
+  const MessageChannel& channel = sonars[0].channels()[5];
+  EXPECT_EQ(channel.topic, "/tf_static");
+  EXPECT_TRUE(channel.latched);
+  CdrRead in(SonarMessages::mountings(sonars));
+  ASSERT_EQ(in.number<std::uint32_t>(), 4U);
+  std::vector<std::string> frames;
+  std::vector<double> last;
+  for (int i = 0; i < 4; ++i) {
+    const auto [seconds, nanoseconds, parent] = in.header();
+    frames.push_back(parent + " " + in.text());
+    const std::vector<double> numbers = in.doubles(7);
+    last = i == 2 ? numbers : last;
+  }
+  EXPECT_THAT(frames, ElementsAre("base_link fls_2", "fls_2 fls_2_beams", "base_link port", "port port_beams"));
+  EXPECT_THAT(last, testing::Pointwise(testing::DoubleNear(1e-12),
+                                       std::vector<double>{2, 0, 0, 0, 0, std::sin(kQuarter), std::cos(kQuarter)}));
 }
 
 TEST(SonarMessagesTest, ScenarioIsItsText) {
