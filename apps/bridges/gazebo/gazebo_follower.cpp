@@ -53,17 +53,24 @@ void GazeboFollower::end() {
   thread_.join();
 }
 
+void GazeboFollower::wake() {
+  const std::lock_guard lock(mail_box_->mutex);
+  mail_box_->woken = true;
+  mail_box_->arrived.notify_all();
+}
+
 void GazeboFollower::follow() {
   MailBox& box = *mail_box_;
   std::unique_lock lock(box.mutex);
   while (!box.ending) {
     box.arrived.wait_for(lock, kLook / 2, [&box] {
-      return box.ending || !box.mail.news.empty() || box.mail.poses || box.mail.dynamic_poses;
+      return box.ending || box.woken || !box.mail.news.empty() || box.mail.poses || box.mail.dynamic_poses;
     });
     if (box.ending) {
       return;
     }
     Mail mail = std::exchange(box.mail, {});
+    box.woken = false;
     lock.unlock();
     try {
       if (Clock::now() >= next_look_) {
@@ -80,6 +87,7 @@ void GazeboFollower::follow() {
       if (has_scene_) {
         update_objects();
         drive();
+        step();
       }
     } catch (const std::exception& error) {
       warn_once(error.what());
@@ -139,6 +147,7 @@ bool GazeboFollower::look_for_server() {
   last_warning_.clear();
   newest_changes_ = false;
   stamp_ = 0;
+  stepper_ = {};
   subscribe();
   return true;
 }
@@ -262,6 +271,17 @@ void GazeboFollower::drive() {
   loop_.drive(std::move(drive));
   if (options_.clock) {
     loop_.advance(stamp_);
+  }
+}
+
+// Once the poses of the last steps have come, and the pings until then are made.
+void GazeboFollower::step() {
+  if (!options_.lock_step || !served_ || !announced_world_) {
+    return;
+  }
+  const unsigned steps = stepper_.steps(stamp_, loop_.state().awaited, Clock::now());
+  if (steps > 0 && !server_.step(*served_, steps)) {
+    warn_once(fmt::format("Gazebo does not step the world {}: asking again", printable(served_->name)));
   }
 }
 

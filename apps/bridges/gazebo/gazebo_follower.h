@@ -21,6 +21,7 @@
 #include "gazebo/gazebo_world.h"
 #include "gazebo/scene_keeper.h"
 #include "gazebo/sonar_carriers.h"
+#include "gazebo/world_stepper.h"
 #include "insonify/live_loop.h"
 #include "insonify/log.h"
 
@@ -30,6 +31,7 @@ struct FollowerOptions {
   std::string world = {};                             ///< Name; "": the only one.
   std::map<std::string, Carrier> carriers = {};       ///< Models or links that carry the sonars; see SonarCarriers.
   bool clock = true;                                  ///< Whether time comes from the stamps of poses.
+  bool lock_step = false;                             ///< Whether the world is paused and stepped from ping to ping.
   std::map<std::string, std::string> materials = {};  ///< By the full names of visuals.
 };
 
@@ -45,6 +47,9 @@ class GazeboFollower {
   /// After the loop was started.
   void start();
   void end();
+
+  /// To be called when the loop has made the pings that are due. From any thread.
+  void wake();
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -66,6 +71,7 @@ class GazeboFollower {
     std::condition_variable arrived;
     Mail mail;
     bool ending = false;
+    bool woken = false;
   };
 
   void follow();
@@ -77,6 +83,7 @@ class GazeboFollower {
   void take_poses(const std::string& bytes, bool dynamic);
   void update_objects();
   void drive();
+  void step();
   void warn_once(const std::string& text);
 
   FollowerOptions options_;
@@ -95,6 +102,7 @@ class GazeboFollower {
   bool needs_scene_ = false, has_scene_ = false, needs_update_ = false, announced_world_ = false;
   bool newest_changes_ = false;  // Whether poses arrived since the last drive().
   double stamp_ = 0;             // Time of the newest poses [s].
+  WorldStepper stepper_;
   Clock::time_point next_look_, next_request_, settled_at_;
   std::optional<Clock::time_point> several_since_;  // Since when several servers have this world.
   std::string last_warning_;

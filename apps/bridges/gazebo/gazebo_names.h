@@ -21,11 +21,13 @@ struct WorldTopics {
       : scene("/world/" + world + "/scene/info"),
         deletion("/world/" + world + "/scene/deletion"),
         poses("/world/" + world + "/pose/info"),
-        dynamic_poses("/world/" + world + "/dynamic_pose/info") {}
+        dynamic_poses("/world/" + world + "/dynamic_pose/info"),
+        control("/world/" + world + "/control") {}
   std::string scene;     ///< Scene: a service for the whole scene, and a topic of additions.
   std::string deletion;  ///< UInt32_V: ids of removed models.
   std::string poses,
-      dynamic_poses;  ///< Pose_V, each pose in its parent's frame; dynamic: of entities that are not static.
+      dynamic_poses;    ///< Pose_V, each pose in its parent's frame; dynamic: of entities that are not static.
+  std::string control;  ///< WorldControl: a service that pauses and steps.
 };
 
 /// Makes the transport honour the variables of newer Gazebo releases: GZ_PARTITION etc. where IGN_PARTITION etc. is not

@@ -3,7 +3,9 @@
 #include "gazebo/gazebo_server.h"
 
 #include <gz_types.pb.h>
+#include <ignition/msgs/boolean.pb.h>
 #include <ignition/msgs/empty.pb.h>
+#include <ignition/msgs/world_control.pb.h>
 
 #include <algorithm>
 #include <set>
@@ -11,6 +13,11 @@
 #include "gazebo/gazebo_names.h"
 
 namespace insonify {
+namespace {
+
+constexpr unsigned kTimeout = 500;  // For an answer [ms].
+
+}  // namespace
 
 std::vector<ServedWorld> GazeboServer::worlds() const {
   std::vector<std::string> services;
@@ -32,8 +39,24 @@ std::vector<ServedWorld> GazeboServer::worlds() const {
   return worlds;
 }
 
+bool GazeboServer::step(const ServedWorld& world, unsigned steps) {
+  const std::string service = WorldTopics(world.name).control;
+  ignition::msgs::WorldControl control;
+  control.set_pause(true);
+  control.set_multi_step(steps);
+  ignition::msgs::Boolean answer;
+  bool done = false;
+  if (!world.newer) {
+    return node_.Request(service, control, kTimeout, answer, done) && done && answer.data();
+  }
+  gz::msgs::WorldControl newer_control;
+  gz::msgs::Boolean newer_answer;
+  return newer_control.ParseFromString(control.SerializeAsString()) &&
+         node_.Request(service, newer_control, kTimeout, newer_answer, done) && done &&
+         answer.ParseFromString(newer_answer.SerializeAsString()) && answer.data();
+}
+
 std::optional<ignition::msgs::Scene> GazeboServer::scene(const ServedWorld& world) {
-  constexpr unsigned kTimeout = 500;  // [ms]
   const std::string service = WorldTopics(world.name).scene;
   bool done = false;
   ignition::msgs::Scene scene;

@@ -29,6 +29,10 @@ class GazeboServer {
   /// The scene of a world; empty without an answer within half a second.
   [[nodiscard]] std::optional<ignition::msgs::Scene> scene(const ServedWorld& world);
 
+  /// Has a world make some steps of its physics and then pause.
+  /// @return  Whether it will.
+  [[nodiscard]] bool step(const ServedWorld& world, unsigned steps);
+
  private:
   ignition::transport::Node& node_;
 };

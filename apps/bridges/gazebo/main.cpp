@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <map>
 #include <string>
 
@@ -69,18 +70,27 @@ int run(const BridgeRequest& request) {
   options.live.driven = true;
   options.live.followed = true;
   options.live.clocked = request.clock != "wall";
+  options.lossless = request.lock_step;
   GazeboTransport transport;
   Bridge bridge(options, transport, MessageForm::kGazebo);
   note_when_asked(IgnoredInterrupt::kEnds);
   const Scenario scenario = load_scenario(options.scenario, options.settings);
+  std::atomic<GazeboFollower*> woken = nullptr;
+  bridge.when_idle([&woken] {
+    if (GazeboFollower* const follower = woken) {
+      follower->wake();
+    }
+  });
   bridge.start();
   GazeboFollower follower(
       {.world = request.world,
        .carriers = carriers_of(request, scenario),
        .clock = options.live.clocked,
+       .lock_step = request.lock_step,
        .materials = materials_of(scenario, log)},
       WorldParts(scenario.world.empty() ? scenario.file : scenario.world, world_options(scenario), log), bridge.loop(),
       log);
+  woken = request.lock_step ? &follower : nullptr;
   follower.start();
   report_until_stopped(bridge.report());
   follower.end();

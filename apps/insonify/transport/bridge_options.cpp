@@ -66,6 +66,9 @@ void add_gazebo_options(const Command& command, BridgeRequest& request) {
   command.option("--clock", "NAME", &request.clock,
                  "Clock of the pings: wall, or simulated, that of Gazebo's pose messages [simulated]",
                  one_of({"wall", "simulated"}));
+  command.flag("--lock-step", &request.lock_step,
+               "Pause the world and step it from ping to ping, so that none is late or lost");
+  command.exclude("--lock-step", {"--clock"});
 }
 
 constexpr BridgeKind kKinds[] = {

@@ -43,6 +43,7 @@ struct BridgeRequest {
   std::string clock;                       ///< wall or simulated; "": the bridge's default.
   DdsOptions dds;                          ///< For the bridge to DDS.
   std::string world;                       ///< Gazebo world; "": the only one.
+  bool lock_step = false;                  ///< Whether the bridge steps Gazebo's world.
   std::vector<std::string> vehicles = {};  ///< Carriers of sonars in Gazebo: "NAME" or "SONAR=NAME".
 };
 

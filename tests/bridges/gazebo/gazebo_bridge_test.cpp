@@ -118,6 +118,26 @@ TEST_P(BothGenerations, PingsAreMadeWhereGazeboHasTheVehicle) {
                     HasSubstr("5 pings in"), HasSubstr("from transmission to message"), Not(HasSubstr("dropped"))));
 }
 
+// Poses come each 16 ms of wall time, pings as fast as they are made: one at each of its times, none late, none lost.
+TEST_P(BothGenerations, InLockStepThereIsAPingAtEachOfItsTimes) {
+  constexpr int kPings = 24;
+  Program bridge = this->bridge({"dive.yaml", "--vehicle", "rov::link", "--lock-step"});
+  GazeboReader reader("/fls/sonar_image", "gz.msgs.Image");
+  const auto player = tank(GetParam());
+  player->send("followed");
+  player->send("live 20 0.0125 0.4");  // Five steps a ping; 25 mm.
+  ASSERT_TRUE(reader.wait_for(kPings, 60)) << contents(kSaid);
+  const auto messages = reader.messages();
+  for (int i = 0; i < kPings; ++i) {
+    const GazeboSonarImage image(messages[static_cast<std::size_t>(i)]);
+    EXPECT_EQ(image.number, static_cast<unsigned long>(i));
+    EXPECT_NEAR(image.time, 1 + kPeriod * i, 1e-6);
+    EXPECT_NEAR(image.first_echo(), 8 - 0.25 - 0.4 * kPeriod * i, kBin);
+  }
+  EXPECT_EQ(bridge.end(SIGINT), 0);
+  EXPECT_THAT(contents(kSaid), Not(HasSubstr("dropped")));
+}
+
 TEST_P(BothGenerations, SpawnedModelsAreInTheNextPingAndRemovedOnesAreNot) {
   Program bridge = this->bridge();
   GazeboReader reader("/fls/sonar_image", "gz.msgs.Image");

@@ -3,8 +3,10 @@
 #include "bridges/gazebo/gazebo_player.h"
 
 #include <gz_types.pb.h>
+#include <ignition/msgs/boolean.pb.h>
 #include <ignition/msgs/empty.pb.h>
 #include <ignition/msgs/uint32_v.pb.h>
+#include <ignition/msgs/world_control.pb.h>
 
 #include <cmath>
 #include <functional>
@@ -114,6 +116,55 @@ GazeboPlayer::GazeboPlayer(const std::string& world, bool newer) : newer_(newer)
     };
     node_.Advertise(at + "scene/info", serve);
   }
+  serve_control(at + "control");
+}
+
+void GazeboPlayer::serve_control(const std::string& service) {
+  using ignition::msgs::WorldControl;
+  if (newer_) {
+    std::function<bool(const gz::msgs::WorldControl&, gz::msgs::Boolean&)> serve =
+        [this](const gz::msgs::WorldControl& asked, gz::msgs::Boolean& answer) {
+          WorldControl control;
+          ignition::msgs::Boolean done;
+          done.set_data(control.ParseFromString(asked.SerializeAsString()) && control.pause() &&
+                        make_steps(control.multi_step()));
+          return answer.ParseFromString(done.SerializeAsString());
+        };
+    node_.Advertise(service, serve);
+  } else {
+    std::function<bool(const WorldControl&, ignition::msgs::Boolean&)> serve = [this](const WorldControl& control,
+                                                                                      ignition::msgs::Boolean& answer) {
+      answer.set_data(control.pause() && make_steps(control.multi_step()));
+      return true;
+    };
+    node_.Advertise(service, serve);
+  }
+}
+
+bool GazeboPlayer::make_steps(unsigned count) {
+  const std::lock_guard lock(mutex_);
+  time_ += count * step_;
+  for (auto& model : *scene_.mutable_model()) {
+    if (model.id() == moving_) {
+      model.mutable_pose()->mutable_position()->set_x(model.pose().position().x() + count * step_ * speed_);
+    }
+  }
+  return count > 0 && step_ > 0;
+}
+
+void GazeboPlayer::live(std::uint32_t id, double step, double speed) {
+  {
+    const std::lock_guard lock(mutex_);
+    moving_ = id;
+    step_ = step;
+    speed_ = speed;
+  }
+  living_ = std::jthread([this](const std::stop_token& ending) {
+    while (!ending.stop_requested()) {
+      tell_poses();
+      std::this_thread::sleep_for(std::chrono::milliseconds(16));
+    }
+  });
 }
 
 void GazeboPlayer::add_in_silence(std::uint32_t id, const std::string& name, const Pose& pose, bool is_static,
@@ -162,6 +213,17 @@ void GazeboPlayer::move(std::uint32_t id, const Pose& pose) {
 }
 
 void GazeboPlayer::tell_poses(double time) {
+  {
+    const std::lock_guard lock(mutex_);
+    time_ = time;
+  }
+  tell_poses();
+}
+
+// Time and places of one step.
+void GazeboPlayer::tell_poses() {
+  std::unique_lock lock(mutex_);
+  const double time = time_;
   ignition::msgs::Pose_V all, moving;
   const double whole = std::floor(time);
   for (ignition::msgs::Pose_V* poses : {&all, &moving}) {
@@ -174,19 +236,17 @@ void GazeboPlayer::tell_poses(double time) {
     pose.set_name(entity.name());
     pose.set_id(entity.id());
   };
-  {
-    const std::lock_guard lock(mutex_);
-    for (const auto& model : scene_.model()) {
-      const auto& link = model.link(0);
-      add(all, model);
-      add(all, link);
-      add(all, link.visual(0));
-      if (!model.is_static()) {
-        add(moving, model);
-        add(moving, link);
-      }
+  for (const auto& model : scene_.model()) {
+    const auto& link = model.link(0);
+    add(all, model);
+    add(all, link);
+    add(all, link.visual(0));
+    if (!model.is_static()) {
+      add(moving, model);
+      add(moving, link);
     }
   }
+  lock.unlock();
   auto& light = *all.add_pose();  // The models of the scene do not have it.
   light.set_id(4'000'000);
   light.set_name("sun");

@@ -6,6 +6,7 @@
 
 #include "gazebo/gazebo_names.h"
 #include "gazebo/gazebo_shapes.h"
+#include "gazebo/world_stepper.h"
 
 namespace insonify {
 namespace {
@@ -148,6 +149,33 @@ TEST(GazeboNamesTest, AreThoseOfBothGenerations) {
   EXPECT_EQ(world_of_service("/world/tank/scene/info"), "tank");
   EXPECT_FALSE(world_of_service("/world/tank/scene/graph"));
   EXPECT_FALSE(world_of_service("/world//scene/info"));
+}
+
+// Steps of 4 ms; the first poses after the pause are 3 steps late, so that the first difference is none of a step.
+TEST(WorldStepperTest, MeasuresTheStepAndThenGoesToTheNextPing) {
+  WorldStepper stepper;
+  const WorldStepper::Clock::time_point now;
+  EXPECT_EQ(stepper.steps(2, {}, now), 0U);  // Pings are made.
+  EXPECT_EQ(stepper.steps(2, 2.05, now), 1U);
+  EXPECT_EQ(stepper.steps(2, 2.05, now), 0U);  // Its poses have not come.
+  EXPECT_EQ(stepper.steps(2.012, 2.05, now), 1U);
+  EXPECT_EQ(stepper.steps(2.016, 2.05, now), 1U);
+  EXPECT_EQ(stepper.steps(2.020, 2.05, now), 8U);  // 30 ms are 7.5 steps.
+  EXPECT_EQ(stepper.steps(2.048, 2.05, now), 0U);
+  EXPECT_EQ(stepper.steps(2.052, {}, now), 0U);
+  EXPECT_EQ(stepper.steps(2.052, 2.1, now), 12U);
+  EXPECT_EQ(stepper.steps(2.1, 2.1001, now), 1U);
+}
+
+TEST(WorldStepperTest, AsksAgainForLostPosesAndAfterAReset) {
+  WorldStepper stepper;
+  WorldStepper::Clock::time_point now;
+  EXPECT_EQ(stepper.steps(7, 7.5, now), 1U);
+  now += std::chrono::seconds(1);
+  EXPECT_EQ(stepper.steps(7, 7.5, now), 0U);
+  now += std::chrono::seconds(2);
+  EXPECT_EQ(stepper.steps(7, 7.5, now), 1U);
+  EXPECT_EQ(stepper.steps(0.25, 0.25, now), 1U);  // Time was set back.
 }
 
 }  // namespace

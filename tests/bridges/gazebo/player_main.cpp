@@ -3,7 +3,7 @@
 //     gazebo_player WORLD ignition|gz
 //
 //     add ID NAME X Y Z YAW static|free GEOMETRY      add-silently ... the same     remove ID     remove-silently ID
-//     move ID X Y Z YAW     poses TIME     wait SECONDS     followed
+//     move ID X Y Z YAW     poses TIME     wait SECONDS     followed     live ID STEP SPEED
 //
 // Each line is answered by "ok"; `followed`, by which it waits for a subscriber of poses, perhaps by "no".
 
@@ -49,7 +49,11 @@ std::string act(GazeboPlayer& player, const std::string& line) {
   }
   std::uint32_t id = 0;
   words >> id;
-  if (command == "remove" || command == "remove-silently") {
+  if (command == "live") {
+    double step = 0, speed = 0;
+    words >> step >> speed;
+    player.live(id, step, speed);
+  } else if (command == "remove" || command == "remove-silently") {
     command == "remove" ? player.remove(id) : player.remove_in_silence(id);
   } else if (command == "move") {
     player.move(id, read_pose(words));
