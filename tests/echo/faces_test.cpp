@@ -73,6 +73,40 @@ TEST(FacesTest, EndsOfACylinderAreDiscs) {
   }
 }
 
+// Curved surfaces of triangles so small that their corners' normals differ by less than 0.8 degrees, some of them or
+// all.
+TEST(FacesTest, FinelyMeshedCurvedSurfacesHaveNone) {
+  for (const double angle : {0.035, 0.03, 0.025, 0.015}) {
+    EXPECT_TRUE(find_faces(make_sphere(0.5, angle), workers)->faces.empty()) << angle;
+    EXPECT_EQ(find_faces(make_cylinder(0.3, 2, angle), workers)->faces.size(), 2U) << angle;
+  }
+  Mesh both = make_sphere(0.5, 0.03);  // Wound outwards and inwards.
+  for (const auto& [a, b, c] : std::vector(both.triangles)) {
+    both.triangles.push_back({a, c, b});
+  }
+  EXPECT_TRUE(find_faces(both, workers)->faces.empty());
+}
+
+// A plate whose corners' normals are off by up to 0.5 degrees, each by itself, is plane.
+TEST(FacesTest, InexactNormalsDoNotBendAPlate) {
+  constexpr int kSide = 20;
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> error(-0.006F, 0.006F);
+  Mesh mesh;
+  for (int i = 0; i <= kSide; ++i) {
+    for (int j = 0; j <= kSide; ++j) {
+      mesh.vertices.emplace_back(static_cast<float>(i), static_cast<float>(j), 0.0F);
+      mesh.normals.push_back(Vec3f(error(random), error(random), 1).normalized());
+      if (i < kSide && j < kSide) {
+        const auto corner = static_cast<std::uint32_t>(i * (kSide + 1) + j), beyond = corner + kSide + 1;
+        mesh.triangles.push_back({corner, beyond, corner + 1});
+        mesh.triangles.push_back({corner + 1, beyond, beyond + 1});
+      }
+    }
+  }
+  EXPECT_EQ(find_faces(mesh, workers)->faces.size(), 1U);
+}
+
 // Terraces at random heights: a triangle belongs to the face of each neighbour of the same height, and of no other.
 TEST(FacesTest, TerracesAreTheConnectedSquaresOfOneHeight) {
   constexpr int kSide = 40;

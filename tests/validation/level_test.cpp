@@ -214,6 +214,15 @@ TEST_P(SphereLevelTest, SphereHasItsTargetStrength) {
   EXPECT_EQ(first - received.begin(), 90);  // 9.5 m.
 }
 
+// The same for a mesh of 80 000 triangles, whose normals differ by less than a degree, of a material that reflects
+// coherently: it is no plane face.
+TEST_P(SphereLevelTest, AFinelyMeshedSphereHasIt) {
+  Material material = glinting(1, 0.1);
+  material.rms_height = 3e-5;
+  const Ping ping = ping_of(calibrated(fine_sonar(), GetParam()), sphere_at({10, 0, 0}, 0.5, material, 0.029));
+  EXPECT_NEAR(total_db(ping), -51.557027268314684, 0.3);
+}
+
 // The level is right up to the last bin, although samples beyond it are not deposited.
 TEST_P(LevelTest, SeabedKeepsItsLevelUpToTheLastBin) {
   SonarConfig sonar;

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "base/parallel_blocks.h"
+#include "echo/mirror/curved_faces.h"
 #include "echo/mirror/mesh_sides.h"
 
 namespace insonify {
@@ -176,6 +177,20 @@ std::size_t number_faces(const std::vector<std::uint32_t>& roots, std::vector<st
   return count;
 }
 
+// The same without groups that are curved surfaces.
+std::size_t number_plane_faces(const Mesh& mesh, const std::vector<Vec3f>& normals, std::vector<std::uint32_t> roots,
+                               std::vector<std::uint32_t>& face_of) {
+  const std::size_t count = number_faces(roots, face_of);
+  const std::vector<std::uint8_t> curved = curved_faces(mesh, normals, face_of, count);
+  if (!std::ranges::count(curved, 1)) {
+    return count;
+  }
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    roots[i] = face_of[i] != kNone && curved[face_of[i]] != 0 ? kNone : roots[i];
+  }
+  return number_faces(roots, face_of);
+}
+
 // Adds the sides with the same ends that have triangles of a face in one direction only.
 // @param by_face  Scratch.
 void add_outer_sides(const Mesh& mesh, const MeshSides& sides, const std::vector<Vec3f>& normals,
@@ -261,7 +276,8 @@ std::shared_ptr<const MeshFaces> find_faces(const Mesh& mesh, Workers& workers) 
   std::vector<Vec3f> normals = flat_normals(mesh, workers);
   if (!normals.empty()) {
     std::optional<MeshSides> sides(std::in_place, mesh, workers);
-    const std::size_t count = number_faces(grouped(mesh, *sides, normals, workers), found->face_of);
+    const std::size_t count =
+        number_plane_faces(mesh, normals, grouped(mesh, *sides, normals, workers), found->face_of);
     const std::vector<Outline> outlines = outlines_of(mesh, *sides, normals, found->face_of, count, workers);
     std::vector<Vec3f>().swap(normals);
     found->edges = find_edge_parts(mesh, *sides, found->face_of, workers);

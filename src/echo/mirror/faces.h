@@ -39,7 +39,8 @@ struct MeshFaces {
 /// @param normal  Geometric unit normal, of either sign.
 [[nodiscard]] bool is_flat(const Mesh& mesh, std::size_t triangle, const Vec3f& normal);
 
-/// Finds the faces of a mesh. Triangles that are not flat belong to curved surfaces, which ray_tube() handles instead.
+/// Finds the faces of a mesh. Triangles that are not flat belong to curved surfaces, which ray_tube() handles instead;
+/// so do those of curved_faces().
 [[nodiscard]] std::shared_ptr<const MeshFaces> find_faces(const Mesh& mesh, Workers& workers);
 
 /// The same, found once for a mesh as long as someone has its faces.
