@@ -48,6 +48,7 @@ foreach(bridge ros1 dds gazebo)
   set(CPACK_DEBIAN_${component}_PACKAGE_SECTION science)
   set(CPACK_DEBIAN_${component}_PACKAGE_DEPENDS "${library} (= ${PROJECT_VERSION}), insonify (= ${PROJECT_VERSION})")
 endforeach()
+set(CPACK_DEBIAN_ROS1_PACKAGE_RECOMMENDS python3-roslaunch)  # roscore, and what reads the launch file.
 set(CPACK_COMPONENT_ROS1_DESCRIPTION "Simulator of imaging sonars: node of ROS 1\n Pings as topics of ROS 1, poses from tf or odometry.")
 set(CPACK_COMPONENT_DDS_DESCRIPTION "Simulator of imaging sonars: topics of ROS 2 over DDS\n Pings as topics that nodes of ROS 2 read, poses from odometry.")
 set(CPACK_COMPONENT_GAZEBO_DESCRIPTION "Simulator of imaging sonars: follower of Gazebo\n Pings in a world that Gazebo simulates.")

@@ -51,11 +51,19 @@ if(INSONIFY_SANITIZE OR CMAKE_BUILD_TYPE STREQUAL Debug)
 else()
   set(hardened ON)
 endif()
+# Not by generator expressions: from CMake 3.31 on an empty one is an empty word.
+set(hardened_option)
+if(hardened)
+  set(hardened_option --hardened)
+endif()
+set(folder_of_module)
+if(TARGET insonify_python)
+  set(folder_of_module $<TARGET_FILE_DIR:insonify_python>)
+endif()
 add_test(NAME linkage
-  COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/install/linkage_test.py $<$<BOOL:${hardened}>:--hardened>
+  COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/install/linkage_test.py ${hardened_option}
           $<TARGET_FILE:insonify> $<TARGET_FILE_DIR:insonify> $<TARGET_FILE_DIR:insonify_cli> $<TARGET_FILE_DIR:insonify_reader>
-          $<$<TARGET_EXISTS:insonify_python>:$<TARGET_FILE_DIR:insonify_python>>
-  COMMAND_EXPAND_LISTS)
+          ${folder_of_module})
 # The reader of SDF is opened at the first SDF file, and where it is absent a line says so.
 if(TARGET insonify_sdf AND NOT INSONIFY_SANITIZE)
   add_test(NAME sdf_library
@@ -82,7 +90,8 @@ insonify_install_test(install_and_use -DBUILD_DIR=${PROJECT_BINARY_DIR} -DWITH_P
 if(CMAKE_BUILD_TYPE STREQUAL Release AND NOT INSONIFY_SANITIZE)
   # ... by way of packages too, where there is what makes them ...
   find_program(dpkg_shlibdeps dpkg-shlibdeps)
-  if(dpkg_shlibdeps)
+  find_program(file_program file)
+  if(dpkg_shlibdeps AND file_program)
     set(bridge_count 0)
     foreach(bridge ros1 dds gazebo)
       if(TARGET insonify_bridge_${bridge})
@@ -90,7 +99,7 @@ if(CMAKE_BUILD_TYPE STREQUAL Release AND NOT INSONIFY_SANITIZE)
       endif()
     endforeach()
     insonify_install_test(package_and_use -DBUILD_DIR=${PROJECT_BINARY_DIR} -DPACKAGES=ON -DWITH_PYTHON=${with_python}
-      -DBRIDGES=${bridge_count})
+      -DWITH_SDF=${INSONIFY_SDFORMAT} -DBRIDGES=${bridge_count})
   endif()
   # ... and of the static library.
   insonify_install_test(install_and_use_static -DUNITY=$<BOOL:${CMAKE_UNITY_BUILD}> -DBUILD_DIR=${PROJECT_BINARY_DIR} -DSOURCE_DIR=${PROJECT_SOURCE_DIR})
@@ -104,10 +113,12 @@ endif()
 
 # Damaged files of all formats, requests and frames: a few of what `./dev fuzz` tries.
 if(INSONIFY_BUILD_APPS)
+  set(unlimited)
+  if(INSONIFY_SANITIZE)
+    set(unlimited --unlimited)
+  endif()
   add_test(NAME damaged_inputs
-    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/damaged_inputs.py $<TARGET_FILE:insonify_cli> --count 150
-            $<$<BOOL:${INSONIFY_SANITIZE}>:--unlimited>
-    COMMAND_EXPAND_LISTS)
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/damaged_inputs.py $<TARGET_FILE:insonify_cli> --count 150 ${unlimited})
   add_test(NAME serve_frames
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/serve_frames.py $<TARGET_FILE:insonify_cli>)
   if(TARGET failing_calls)

@@ -74,7 +74,7 @@ def functions(owner, text):
         parameters = [PARAMETER.match(one) for one in given]
         if not given or not all(parameters):
             raise SystemExit(f"make_python_stubs: {first}: not a function of numbers; type it in python/stubs")
-        for kind, result, ignore in (("float", "float", "  # type: ignore[misc]"), ("_Values", "npt.NDArray[np.float64]", "")):
+        for kind, result, ignore in (("float", "float", "  # type: ignore"), ("_Values", "npt.NDArray[np.float64]", "")):
             listed = ", ".join(f"{one.group(1)}: {kind}" + (" = ..." if one.group(2) else "") for one in parameters)
             lines += ["@overload", f"def {name}({listed}) -> {result}:{ignore}", docstring(rest)]
     return lines

@@ -48,7 +48,7 @@ def compare(a: Side, b: Side, pings: Sequence[int] | None = None, scale: str | N
     in_db = scale == "db" or (scale is None and calibrated)
 
     def levels(intensity: npt.ArrayLike) -> npt.NDArray[np.float64]:
-        ratio = np.asarray(intensity, dtype=np.float64) / of_one
+        ratio: npt.NDArray[np.float64] = np.divide(np.asarray(intensity, dtype=np.float64), of_one)
         if not (np.all(ratio >= 0) and np.all(ratio <= 1)):
             raise Error(f"an intensity is not from 0 to full scale, {of_one:.6g}")
         if not in_db:
@@ -99,5 +99,6 @@ def _pictures(side: Any, wanted: list[int], levels: Any) -> list[npt.NDArray[np.
 
 
 def _fractions(recording: RecordedPings, number: int) -> npt.NDArray[np.float64]:
-    fractions: npt.NDArray[np.float64] = np.asarray(recording.intensity[number], dtype=np.float64) / recording.full_scale
+    fractions: npt.NDArray[np.float64] = np.divide(np.asarray(recording.intensity[number], dtype=np.float64),
+                                                   recording.full_scale)
     return fractions

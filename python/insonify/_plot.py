@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -16,11 +17,10 @@ if TYPE_CHECKING:
 
 def _pyplot() -> Any:
     try:
-        import matplotlib.pyplot  # type: ignore[import]
+        return importlib.import_module("matplotlib.pyplot")
     except ImportError as error:
         raise ImportError("Ping.plot() needs matplotlib (Debian: apt-get install python3-matplotlib); insonify.fan(ping) "
                           "gives a picture without it") from error
-    return matplotlib.pyplot
 
 
 def _shown(ping: Ping, counts: bool) -> tuple[Any, tuple[float, float], str]:

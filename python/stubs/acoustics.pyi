@@ -50,19 +50,19 @@ class Sediment:
     def reflection(self, grazing: float) -> complex: ...
 
 @overload
-def absorption_db_per_m(frequency: float, water: Water) -> float: ...  # type: ignore[misc]
+def absorption_db_per_m(frequency: float, water: Water) -> float: ...  # type: ignore
 @overload
 def absorption_db_per_m(frequency: _Values, water: Water) -> npt.NDArray[np.float64]: ...
 @overload
-def francois_garrison_db_per_m(frequency: float, water: Water) -> float: ...  # type: ignore[misc]
+def francois_garrison_db_per_m(frequency: float, water: Water) -> float: ...  # type: ignore
 @overload
 def francois_garrison_db_per_m(frequency: _Values, water: Water) -> npt.NDArray[np.float64]: ...
 @overload
-def bottom_reflection(density_ratio: float, sound_speed_ratio: float, loss: float, grazing: float) -> complex: ...  # type: ignore[misc]
+def bottom_reflection(density_ratio: float, sound_speed_ratio: float, loss: float, grazing: float) -> complex: ...  # type: ignore
 @overload
 def bottom_reflection(density_ratio: _Values, sound_speed_ratio: _Values, loss: _Values, grazing: _Values) -> npt.NDArray[np.complex128]: ...
 @overload
-def bottom_backscatter(sediment: Sediment | str, grazing: float, frequency: float, sound_speed: float = ...) -> float: ...  # type: ignore[misc]
+def bottom_backscatter(sediment: Sediment | str, grazing: float, frequency: float, sound_speed: float = ...) -> float: ...  # type: ignore
 @overload
 def bottom_backscatter(sediment: Sediment | str, grazing: _Values, frequency: _Values, sound_speed: _Values = ...) -> npt.NDArray[np.float64]: ...
 def half_vector_tilt(normal: Sequence[float], towards_source: Sequence[float], towards_receiver: Sequence[float]) -> float: ...

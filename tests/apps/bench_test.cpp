@@ -80,10 +80,10 @@ TEST_F(BenchTest, SamplingHasAnErrorThatVanishesWithItsSize) {
       "fan.yaml",
       "world: ball.sdf\nsonars:\n  - {beam_count: 32, azimuth_aperture_deg: 40, bin_count: 100, max_range: 12, "
       "orientation_deg: [0, 15, 0], sampling: {columns_per_beam: 2, rows: 30}}\n");
-  ASSERT_EQ(shell("insonify bench sampling fan.yaml --triangles 0 --sampling 4x120 8x400 --converged 8x400 --pings 1 "
-                  "--repetitions 1 --json rows.json")
-                .status,
-            0);
+  const auto done = shell(
+      "insonify bench sampling fan.yaml --triangles 0 --sampling 4x120 8x400 --converged 8x400 --pings 1 "
+      "--repetitions 1 --json rows.json");
+  ASSERT_EQ(done.status, 0) << done.err;
   const json rows = json::parse(text_of("rows.json"));
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_EQ(rows[0].at("scene"), "fan");
@@ -124,8 +124,8 @@ TEST_F(BenchTest, GrowthHasAnExponentBetweenRows) {
     const json& row = rows[i];
     EXPECT_GT(row.at("ping_ms").get<double>(), 0);
     EXPECT_GE(row.at("setup_ms").get<double>(), 0);
-    if (names.empty() || names.back() != row.at("grows")) {
-      names.push_back(row.at("grows"));
+    if (const std::string grows = row.at("grows"); names.empty() || names.back() != grows) {
+      names.push_back(grows);
       EXPECT_FALSE(row.contains("ping_exponent"));
       continue;
     }

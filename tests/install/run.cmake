@@ -9,6 +9,7 @@
 #   COMPILER         C++ compiler
 #   PYTHON           Python 3
 #   WITH_PYTHON      ON: the Python package was built
+#   WITH_SDF         not empty: SDF files can be read
 #   BRIDGES          how many programs of bridges were built
 set(prefix ${WORK_DIR}/prefix)
 file(REMOVE_RECURSE ${prefix} ${WORK_DIR}/staged ${WORK_DIR}/consumer ${WORK_DIR}/examples ${WORK_DIR}/root ${WORK_DIR}/packages ${WORK_DIR}/other)
@@ -61,7 +62,10 @@ if(PACKAGES)
   if(WITH_PYTHON)
     set(of_python "python3-numpy")
   endif()
-  foreach(needed "libembree[34]" "libsdformat" "libhdf5" "libeigen3-dev" "libinsonify[0-9.]+ \\(= " ${of_python})
+  if(WITH_SDF)
+    set(of_sdf "libsdformat")
+  endif()
+  foreach(needed "libembree[34]" ${of_sdf} "libhdf5" "libeigen3-dev" "libinsonify[0-9.]+ \\(= " ${of_python})
     if(NOT depends MATCHES "${needed}")
       message(FATAL_ERROR "No package depends on ${needed}")
     endif()

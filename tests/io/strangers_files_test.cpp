@@ -57,7 +57,7 @@ std::string changed(std::string text, const std::string& from, const std::string
   return text.replace(at, from.size(), to);
 }
 
-// COLLADA files on which assimp 5.2 reads beyond its memory.
+// COLLADA files on which assimp 5.2 reads beyond its memory; 5.4 sees that.
 TEST(StrangersFilesTest, ACrashIsOneMessage) {
   if (kSanitized) {
     GTEST_SKIP() << "A sanitizer ends the reader by an exit status, and has no limit of memory";
@@ -69,7 +69,8 @@ TEST(StrangersFilesTest, ACrashIsOneMessage) {
                                   changed(dae_text(), "source=\"#a\" count=", "source=\"#a\" offset=\"100000\" count="),
                                   changed(dae_text(), "id=\"a\" count=\"12\"", "id=\"a\" count=\"0\"")}) {
     folder.write("a.dae", text);
-    EXPECT_EQ(message_of([] { (void)load_mesh("a.dae"); }), crash);
+    EXPECT_THAT(message_of([] { (void)load_mesh("a.dae"); }),
+                AnyOf(crash, "a.dae: cannot be read: Not enough data for accessor"));
   }
   EXPECT_THAT(children(), IsEmpty());
   EXPECT_EQ(open_files(), files_before);
@@ -80,7 +81,8 @@ TEST(StrangersFilesTest, TheNextFileIsReadByANewProcess) {
     GTEST_SKIP() << "A sanitizer ends the reader by an exit status, and has no limit of memory";
   }
   const WorkingFolder folder;
-  folder.write("bad.dae", changed(dae_text(), "stride=\"3\"", "stride=\"1000000\""));
+  const Setting limits("INSONIFY_LIMITS", "memory=5e8");
+  folder.write("bad.dae", changed(dae_text(), "<p>0 2 1", "<p>0 1 x"));
   folder.write("good.dae", dae_text());
   const std::size_t files_before = open_files();
   {
@@ -89,7 +91,8 @@ TEST(StrangersFilesTest, TheNextFileIsReadByANewProcess) {
     const std::vector<pid_t> first = children();
     EXPECT_EQ(load_mesh("good.dae").triangles.size(), 4U);
     EXPECT_EQ(children(), first);
-    EXPECT_EQ(message_of([] { (void)load_mesh("bad.dae"); }), "bad.dae: the reader of DAE files crashed (SIGSEGV)");
+    EXPECT_EQ(message_of([] { (void)load_mesh("bad.dae"); }),
+              "bad.dae: the reader of DAE files needed more than 0.5 GB");
     EXPECT_EQ(load_mesh("good.dae").triangles.size(), 4U);
     EXPECT_EQ(children().size(), 1U);
     EXPECT_NE(children(), first);

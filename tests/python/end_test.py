@@ -51,7 +51,8 @@ if not child:
 os._exit(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
 """
         program = "\n".join(line for line in program.splitlines() if "ended" not in line)
-        done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=120, check=False)
+        words = [sys.executable, "-W", "ignore::DeprecationWarning", "-c", program]  # Python warns of it from 3.12 on.
+        done = subprocess.run(words, capture_output=True, text=True, timeout=120, check=False)
         self.assertEqual((done.returncode, done.stderr), (5, ""))
 
 

@@ -66,7 +66,9 @@ class TypesTest(unittest.TestCase):
         examples = sorted((SOURCES / "examples/python").glob("*.py"))
         self.assertGreater(len(examples), 5)
         done = run(*self.strict_mypy, *examples)
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        # Whether other libraries have types, and so whether a line must be ignored, differs from version to version of them.
+        wrong = [line for line in done.stdout.splitlines() if "error: " in line and "[unused-ignore]" not in line]
+        self.assertEqual((wrong, done.stderr), ([], ""))
 
     def test_mypy_finds_what_is_wrong(self):
         with tempfile.TemporaryDirectory() as folder:

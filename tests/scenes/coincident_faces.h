@@ -42,7 +42,7 @@ inline std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, const Vec3& a
 /// Pairs of triangles that overlap by more than `least_area` [m^2], are parallel within 1.1 degrees, and are no further
 /// apart in the middle of the overlap than the files' rounding.
 inline std::vector<Coincidence> coincident_faces(const Mesh& mesh, double least_area) {
-  constexpr double kParallel = 0.9998, kRounding = 0.6e-3, kCell = 0.5;
+  constexpr double kParallel = 0.9998, kApart = 0.6e-3, kCell = 0.5;
   struct Face {
     std::array<Vec3, 3> corners;
     Vec3 normal, low, high;
@@ -82,7 +82,7 @@ inline std::vector<Coincidence> coincident_faces(const Mesh& mesh, double least_
       for (std::size_t j = i + 1; j < members.size(); ++j) {
         const Face& f = faces[members[i]];
         const Face& g = faces[members[j]];
-        const bool apart = (f.low.cwiseMax(g.low) - f.high.cwiseMin(g.high)).maxCoeff() > kRounding;
+        const bool apart = (f.low.cwiseMax(g.low) - f.high.cwiseMin(g.high)).maxCoeff() > kApart;
         if (!apart && std::abs(f.normal.dot(g.normal)) > kParallel) {
           pairs.emplace_back(members[i], members[j]);
         }
@@ -110,7 +110,7 @@ inline std::vector<Coincidence> coincident_faces(const Mesh& mesh, double least_
       middle += overlap[k] / static_cast<double>(overlap.size());
     }
     const double distance = std::abs(faces[j].normal.dot(middle - faces[j].corners[0]));
-    if (twice_area.norm() / 2 > least_area && distance < kRounding) {
+    if (twice_area.norm() / 2 > least_area && distance < kApart) {
       found.push_back({twice_area.norm() / 2, middle});
     }
   }

@@ -296,7 +296,7 @@ TEST_F(BridgeTest, AtOncePingsDoNotWait) {
 TEST_F(BridgeTest, StampsBeginAfterZero) {
   const auto bridge = this->bridge({.driven = true, .clocked = true}, true);
   bridge->start();
-  bridge->loop().drive({.stamp = 0});
+  bridge->loop().drive({.world_from_vehicle = {}, .stamp = 0});
   bridge->loop().advance(0);
   EXPECT_EQ(transport_.wait_for(MessageKind::kSonarImage, 1).back().time_ns, 1U);
 }

@@ -16,7 +16,7 @@ constexpr float kFineTurn = 0.13F;  // Largest change of the normal within a fac
 constexpr float kFlat = 1e-3F;      // Differences of unit normals below this are rounding.
 
 struct Vertex {
-  Vec3f place, normal;
+  Vec3f place = Vec3f::Zero(), normal = Vec3f::Zero();
 };
 Vertex between(const Vertex& a, const Vertex& b, float share) {
   return {a.place + share * (b.place - a.place), a.normal + share * (b.normal - a.normal)};

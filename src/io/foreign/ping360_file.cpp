@@ -123,7 +123,7 @@ class LogReader {
   // Reads a length and moves behind it.
   std::uint64_t length(std::string_view what) {
     std::uint64_t number = 0;
-    for (const std::uint8_t byte : file_.read(at_, 4, "the length of " + std::string(what))) {
+    for (const std::uint8_t byte : file_.read(at_, 4, fmt::format("the length of {}", what))) {
       number = number << 8U | byte;
     }
     if (number > kLongestRecord) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <string_view>
 
 #include "base/names.h"
 #include "insonify/files.h"
@@ -25,7 +26,7 @@ YamlValue preset_tree(const std::filesystem::path& file) {
   return tree;
 }
 
-const YamlValue& required(const YamlValue& map, const std::string& object, const std::string& key) {
+const YamlValue& required(const YamlValue& map, std::string_view object, std::string_view key) {
   const YamlValue* value = map.find(key);
   if (value == nullptr) {
     throw Error(object, key, " is missing").at(map.place);

@@ -106,9 +106,9 @@ Scene WorldParts::scene(std::span<const WorldPart> parts, const std::string& nam
       std::ranges::any_of(parts, [](const WorldPart& part) { return part.shape.kind == ShapeKind::kMesh; })) {
     log_line(state.log, Severity::kWarning, fmt::format("{}: parts has no effect: a visual is one object", name));
   }
-  const auto warn = [&](const char* text, const std::vector<std::string>& names) {
-    if (!names.empty()) {
-      log_line(state.log, Severity::kWarning, fmt::format("{}: {}: {}", name, text, fmt::join(names, ", ")));
+  const auto warn = [&](const char* text, const std::vector<std::string>& found) {
+    if (!found.empty()) {
+      log_line(state.log, Severity::kWarning, fmt::format("{}: {}: {}", name, text, fmt::join(found, ", ")));
     }
   };
   warn("left out as water (keep_water: true keeps it)", water);

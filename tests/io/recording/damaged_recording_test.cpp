@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <hdf5.h>
 #include <stdlib.h>
 
 #include <cstring>
@@ -162,7 +163,7 @@ TEST_F(DamagedRecordingTest, AddressesOfAllOnesEndAtMostTheReader) {
     EXPECT_THAT(message, AnyOf(kNone, StartsWith("b.h5: "))) << place;
     crashes += message == "b.h5: the reader of HDF5 files crashed (SIGSEGV)" ? 1 : 0;
   }
-  EXPECT_GT(crashes, 0);  // Else the reader could be spared.
+  EXPECT_TRUE(crashes > 0 || H5_VERSION_GE(1, 14, 0));  // Were there none in 1.10, the reader could be spared.
 }
 
 TEST_F(DamagedRecordingTest, RandomDamageIsAMessageOrNothing) {

@@ -154,8 +154,8 @@ TEST_F(SdfWorldsTest, WaterIsLeftOutWhicheverWayItIsMarked) {
   const auto with_look = [&](const std::string& look) {
     return world(ball + model("m", fmt::format(fmt::runtime(plane), look)));
   };
-  for (const std::string& look : {"<transparency>0.9</transparency>", "<transparency>1</transparency>",
-                                  "<material><diffuse>0 0 1 0.3</diffuse></material>", kOfWater.c_str()}) {
+  for (const std::string look : {"<transparency>0.9</transparency>", "<transparency>1</transparency>",
+                                 "<material><diffuse>0 0 1 0.3</diffuse></material>", kOfWater.c_str()}) {
     EXPECT_THAT(names(load(with_look(look))), ElementsAre("ball::l::v")) << look;
     EXPECT_THAT(said, ElementsAre("scene.sdf: left out as water (keep_water: true keeps it): m::l::v")) << look;
     EXPECT_THAT(names(load(with_look(look), {.keep_water = true})), ElementsAre("ball::l::v", "m::l::v")) << look;
