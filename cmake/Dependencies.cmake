@@ -15,7 +15,7 @@ find_package(pugixml REQUIRED)
 find_package(Threads REQUIRED)
 find_package(HDF5 REQUIRED COMPONENTS C)
 
-# Embree: Ubuntu 22.04 and Debian 12 have 3, Ubuntu 24.04 and Debian 13 have 4. See src/echo/cpu/embree.h.
+# Embree: Ubuntu 22.04 and Debian 12 have 3, Ubuntu 24.04 and Debian 13 have 4. See src/echo/embree.h.
 foreach(major 4 3)
   find_package(embree ${major} QUIET)
   if(embree_FOUND)

@@ -53,6 +53,10 @@ RayCounts Simulator::ray_counts() const {
   return state_->ray_counts;
 }
 
+std::vector<StepTime> Simulator::step_times() const {
+  return state_->runner ? state_->runner->step_times() : std::vector<StepTime>();
+}
+
 EngineMemory Simulator::engine_memory() const {
   return state_->engine->memory();
 }

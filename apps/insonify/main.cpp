@@ -12,7 +12,8 @@ namespace {
 
 int version() {
   const auto engines = engine_names();
-  say("insonify {}\nengines: {}\n", kVersion, fmt::format("{}", fmt::join(engines, ", ")));
+  say("insonify {}\nengines: {}\ndevices of engine gpu: {}\n", kVersion, fmt::format("{}", fmt::join(engines, ", ")),
+      fmt::format("{}", fmt::join(device_texts(), "; ")));
   return kDone;
 }
 
@@ -20,7 +21,7 @@ int version() {
 void add_version(const Command& program) {
   program.print_flag(
       "--version", [] { (void)version(); }, "Print the version");
-  const Command command = program.add("version", "Print the version and the built-in engines");
+  const Command command = program.add("version", "Print the version, the built-in engines and the graphics cards");
   command.footer("Example:\n  insonify version");
   command.act(version);
 }

@@ -60,6 +60,12 @@ struct RayCounts {
   }
 };
 
+/// What a step of a batch took on a device.
+struct StepTime {
+  std::string_view step;  ///< As the file of its shader is named.
+  double seconds = 0;
+};
+
 /// Memory that an engine uses for a scene, without the meshes themselves.
 struct EngineMemory {
   std::size_t own = 0;      ///< Vertices, normals and tables [bytes].
@@ -70,7 +76,11 @@ struct EngineMemory {
 /// functions.
 class Engine;
 
-/// Names of the built-in engines, fastest first.
+/// Names of the built-in engines.
 [[nodiscard]] std::vector<std::string_view> engine_names();
+
+/// The devices that engine `gpu` may run on, a text each: index, name, driver, and what one lacks; or why there is
+/// none.
+[[nodiscard]] std::vector<std::string> device_texts();
 
 }  // namespace insonify

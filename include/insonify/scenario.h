@@ -95,6 +95,7 @@ struct Scenario {
   bool parts = false;                  ///< An instance for each part of a mesh file, as WorldOptions::parts.
   EchoModel model = EchoModel::kCalibrated;
   std::string engine = "cpu";
+  std::string device = {};
   PrimaryEchoes primary = PrimaryEchoes::kAuto;
   SecondaryEchoes secondary = SecondaryEchoes::kSelective;
   int max_surfaces = kPathOrders;    ///< Largest number of surfaces on a path, 1..3.
@@ -189,8 +190,18 @@ struct Scenario {
         self.parts);
     visit(Field{"model", "", {}, "Echo model: calibrated (levels by the sonar equation) or paper (shaped strengths)."},
           self.model);
-    visit(Field{"engine", "", {}, "Engine that computes the echoes: cpu, or reference (slow, for checks)."},
+    visit(Field{"engine",
+                "",
+                {},
+                "Engine that computes the echoes: cpu, gpu (a graphics card, by Vulkan; so far the paper model alone), "
+                "or reference (slow, for checks)."},
           self.engine);
+    visit(Field{"device",
+                "",
+                {},
+                "Graphics card of engine gpu: a part of its name, or its index as `insonify version` lists it; without "
+                "one the fastest. Drivers that compute on the processor are used only where they are named."},
+          self.device);
     visit(Field{"primary", "", {}, "How the nearest surface in each direction is found; the echoes are the same."},
           self.primary);
     visit(Field{"secondary", "", {}, "From which hits a reflected ray is traced to a second surface."}, self.secondary);

@@ -162,6 +162,9 @@ class Simulator {
 
   [[nodiscard]] EngineMemory engine_memory() const;
 
+  /// Time of each step of the last batch on the device; empty for engines that compute on the host.
+  [[nodiscard]] std::vector<StepTime> step_times() const;
+
   /// Lower limit of a ping's computing time: how long the ray-tracing library alone takes for its rays. Packets are set
   /// up, but nothing is shaded or summed. The rays are the primary lattice and those reflected rays and return legs
   /// that a ping from this pose sends.

@@ -24,7 +24,9 @@ struct EngineKind {
   std::string_view name;         ///< Lower case, as in scenarios and on the command line.
   bool draws_primaries = false;  ///< Whether it can rasterise primary echoes (PrimaryEchoes::kRaster).
   bool brute_force = false;      ///< Whether trace() tests every triangle: too slow to examine a whole scene.
-  std::unique_ptr<Engine> (*make)(Workers& workers) = nullptr;
+  bool paper_only = false;       ///< Whether it computes EchoModel::kPaper alone.
+  /// @param device  See Scenario::device; "" for an engine that has no choice.
+  std::unique_ptr<Engine> (*make)(Workers& workers, std::string_view device) = nullptr;
 };
 
 /// The kind of engine of that name.
@@ -95,7 +97,9 @@ class Engine {
 
 /// Makes an engine by name.
 /// @param workers  Threads for an engine that computes on the host. Must outlive the engine.
-/// @throws Error if there is no such engine; the message lists the names.
-[[nodiscard]] std::unique_ptr<Engine> make_engine(std::string_view name, Workers& workers);
+/// @param device   See Scenario::device.
+/// @throws Error if there is no such engine, with their names, or no such device.
+[[nodiscard]] std::unique_ptr<Engine> make_engine(std::string_view name, Workers& workers,
+                                                  std::string_view device = "");
 
 }  // namespace insonify

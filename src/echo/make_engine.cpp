@@ -7,15 +7,16 @@
 
 #include "echo/cpu/cpu_engine.h"
 #include "echo/engine.h"
+#include "echo/gpu_kind.h"
 #include "echo/reference/reference_engine.h"
 #include "insonify/error.h"
 
 namespace insonify {
 namespace {
 
-// Fastest first.
+// Those that run everywhere first.
 std::vector<const EngineKind*>& kinds() {
-  static std::vector<const EngineKind*> list = {&CpuEngine::kKind, &ReferenceEngine::kKind};
+  static std::vector<const EngineKind*> list = {&CpuEngine::kKind, &gpu_kind(), &ReferenceEngine::kKind};
   return list;
 }
 
@@ -41,8 +42,12 @@ void add_engine_kind(const EngineKind& kind) {
   kinds().push_back(&kind);
 }
 
-std::unique_ptr<Engine> make_engine(std::string_view name, Workers& workers) {
-  return engine_kind(name).make(workers);
+std::unique_ptr<Engine> make_engine(std::string_view name, Workers& workers, std::string_view device) {
+  return engine_kind(name).make(workers, device);
+}
+
+std::vector<std::string> device_texts() {
+  return gpu_device_texts();
 }
 
 std::vector<double> Engine::time_traversal(const PingView&, int) {

@@ -93,10 +93,13 @@ void check_thrusters(const Scenario& scenario) {
   }
 }
 
-void check_engine(const std::string& engine) {
+void check_engine(const Scenario& scenario) {
   const std::vector<std::string_view> names = engine_names();
-  if (std::ranges::find(names, engine) == names.end()) {
-    throw Error("", "engine", fmt::format(" = \"{}\" must be {}", engine, fmt::join(names, " or ")));
+  if (std::ranges::find(names, scenario.engine) == names.end()) {
+    throw Error("", "engine", fmt::format(" = \"{}\" must be {}", scenario.engine, fmt::join(names, " or ")));
+  }
+  if (scenario.model != EchoModel::kPaper && engine_kind(scenario.engine).paper_only) {
+    throw Error("", "engine", fmt::format(" = {} computes only model = paper so far", scenario.engine));
   }
 }
 
@@ -187,7 +190,7 @@ void Scenario::validate() const {
   if (model == EchoModel::kPaper && ground_truth == GroundTruth::kFull) {
     throw Error("", "ground_truth", " = full needs model = calibrated");
   }
-  check_engine(engine);
+  check_engine(*this);
   check_water(*this);
   receiver.validate();
   check_materials(materials);

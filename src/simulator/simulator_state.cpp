@@ -11,7 +11,7 @@ Simulator::State::State(Scenario the_scenario, Scene the_scene, int threads, std
     : scenario(std::move(the_scenario)),
       scene(std::move(the_scene)),
       workers(threads),
-      engine(make_engine(scenario.engine, workers)) {
+      engine(make_engine(scenario.engine, workers, scenario.device)) {
   if (scenario.model == EchoModel::kPaper) {
     engine->expect_paper();
   }

@@ -11,7 +11,9 @@ using testing::HasSubstr;
 TEST_F(CliTest, VersionNamesTheEngines) {
   const Outcome outcome = shell("insonify version");
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_THAT(outcome.out, ContainsRegex("^insonify [0-9]+\\.[0-9]+\\.[0-9]+\nengines: cpu, reference\n$"));
+  EXPECT_THAT(
+      outcome.out,
+      ContainsRegex("^insonify [0-9]+\\.[0-9]+\\.[0-9]+\nengines: cpu, gpu, reference\ndevices of engine gpu: .+\n$"));
   EXPECT_EQ(shell("insonify --version").out, outcome.out);
 }
 

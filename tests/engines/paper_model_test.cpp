@@ -59,7 +59,7 @@ struct ThinBeam {
 };
 
 class PaperStrengthTest : public testing::TestWithParam<std::string_view> {};
-INSTANTIATE_TEST_SUITE_P(Engines, PaperStrengthTest, testing::ValuesIn(engine_names()),
+INSTANTIATE_TEST_SUITE_P(Engines, PaperStrengthTest, testing::ValuesIn(usable_engines()),
                          [](const auto& test) { return std::string(test.param); });
 
 TEST_P(PaperStrengthTest, IsCosineOfIncidenceTimesReflectivity) {

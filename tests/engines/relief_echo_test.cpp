@@ -30,7 +30,10 @@ struct Way {
 };
 std::vector<Way> ways() {
   std::vector<Way> all;
-  for (const std::string_view name : engine_names()) {
+  for (const std::string_view name : usable_engines()) {
+    if (!computes(name, EchoModel::kCalibrated)) {
+      continue;
+    }
     all.push_back({std::string(name), PrimaryEchoes::kRays});
     if (engine_kind(name).draws_primaries) {
       all.push_back({std::string(name), PrimaryEchoes::kRaster});

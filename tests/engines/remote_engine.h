@@ -107,7 +107,7 @@ class RemoteBatch final : public EchoBatch {
 };
 
 inline const EngineKind RemoteEngine::kKind = {
-    .name = "remote", .draws_primaries = true, .make = [](Workers&) -> std::unique_ptr<Engine> {
+    .name = "remote", .draws_primaries = true, .make = [](Workers&, std::string_view) -> std::unique_ptr<Engine> {
       return std::make_unique<RemoteEngine>();
     }};
 

@@ -15,6 +15,7 @@ struct BenchOptions {
   std::vector<int> triangles = {1'000, 100'000, 1'000'000};
   std::vector<int> threads = {1, 2};
   int repetitions = 40;        ///< Timed pings per row, after a warm-up.
+  std::string device;          ///< See Scenario::device; for bench_device().
   std::filesystem::path json;  ///< Also write the rows to this file; empty for none.
 };
 
@@ -36,6 +37,9 @@ int bench_paper(const PaperBenchOptions& options);
 
 /// insonify bench batch: times batches of pings against the same pings one by one.
 int bench_batch(const BenchOptions& options);
+
+/// insonify bench device: times pings of engine gpu, one by one and in batches, beside those of engine cpu.
+int bench_device(const BenchOptions& options);
 
 /// insonify bench changes: times changes of sonars and objects while a simulator runs.
 int bench_changes(const BenchOptions& options);

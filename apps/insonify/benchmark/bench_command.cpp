@@ -14,8 +14,9 @@ namespace {
 constexpr const char* kJson = "Write the rows to this file too";
 
 // Adds a benchmark of scenes of growing size.
-// @param threads  Whether it can be timed with several numbers of threads.
-void add_bench_of_scenes(const Command& bench, const char* name, const char* help, const char* example, bool threads,
+// @param with  What it can be timed with besides: several numbers of threads, a graphics card, or neither.
+enum class BenchWith { kNothing, kThreads, kDevice };
+void add_bench_of_scenes(const Command& bench, const char* name, const char* help, const char* example, BenchWith with,
                          int (*run)(const BenchOptions&)) {
   const Command command = bench.add(name, help);
   auto& options = command.keep<BenchOptions>();
@@ -24,8 +25,11 @@ void add_bench_of_scenes(const Command& bench, const char* name, const char* hel
   command.option("--repetitions", "N", &options.repetitions, "Timed pings of each row [40]",
                  whole_number(1, 1'000'000));
   command.option("--json", "FILE", &options.json, kJson);
-  if (threads) {
+  if (with == BenchWith::kThreads) {
     command.option("--threads", "N ...", &options.threads, "Worker threads [1 2]", whole_number(1, 1024));
+  }
+  if (with == BenchWith::kDevice) {
+    command.option("--device", "NAME", &options.device, "Graphics card: a part of its name, or its index");
   }
   command.footer(fmt::format("Example:\n  insonify bench {} {}", name, example));
   command.act([&options, run] { return run(options); });
@@ -123,14 +127,16 @@ void add_bench(const Command& program) {
   const Command bench = program.add("bench", "Measure how fast this machine is");
   bench.footer("Help on one: insonify bench engine --help");
   add_bench_of_scenes(bench, "engine", "Whole pings against the bare traversal of their rays",
-                      "--triangles 1000 100000 --threads 1 --json rows.json", true, bench_engine);
+                      "--triangles 1000 100000 --threads 1 --json rows.json", BenchWith::kThreads, bench_engine);
   add_paper_bench(bench);
   add_bench_of_scenes(bench, "primary", "Primary echoes that rays trace against drawn ones",
-                      "--triangles 1000 10000 100000", false, bench_primary);
+                      "--triangles 1000 10000 100000", BenchWith::kNothing, bench_primary);
   add_bench_of_scenes(bench, "batch", "Batches of pings against the same pings one by one",
-                      "--triangles 1000 --threads 2", true, bench_batch);
+                      "--triangles 1000 --threads 2", BenchWith::kThreads, bench_batch);
+  add_bench_of_scenes(bench, "device", "Pings of engine gpu on a graphics card, beside those of engine cpu",
+                      "--triangles 1000 100000 --device 0", BenchWith::kDevice, bench_device);
   add_bench_of_scenes(bench, "changes", "Sonars and objects that change while a simulator runs",
-                      "--triangles 1000 100000", false, bench_changes);
+                      "--triangles 1000 100000", BenchWith::kNothing, bench_changes);
   add_sampling_bench(bench);
   add_growth_bench(bench);
 }

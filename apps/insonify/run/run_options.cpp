@@ -18,7 +18,7 @@ struct RunLine {
   int pings = 1;
   double duration = 0, turns = 0;
   std::uint64_t seed = 1;
-  std::string engine, record = "h5";
+  std::string engine, device, record = "h5";
   bool strict = false, no_pictures = false, no_view = false;
 };
 
@@ -57,8 +57,9 @@ void add_input_options(const Command& command, RunLine& line) {
   command.option("--turns", "N", &line.turns, "Instead: full turns of a scanning head, or sweeps across its sector",
                  number_within(above_to(0, 1e6)));
   command.exclude("--turns", {"--pings", "--duration"});
-  command.option("--engine", "NAME", &line.engine, "Engine that computes the echoes: cpu, or reference (slow)",
-                 one_of(engines()));
+  command.option("--engine", "NAME", &line.engine,
+                 "Engine that computes the echoes: cpu, gpu (model paper), or reference (slow)", one_of(engines()));
+  command.option("--device", "NAME", &line.device, "Graphics card of engine gpu: a part of its name, or its index");
   command.option("--seed", "N", &line.seed, "Start of the random numbers",
                  whole_number(0, std::numeric_limits<std::uint64_t>::max()));
   command.flag("--strict", &line.strict, "End with an error if a part of the world is missing");
@@ -101,6 +102,7 @@ RunOptions finished(const Command& command, RunLine line) {
   set("duration", line.duration);
   set("turns", line.turns);
   set("engine", line.engine);
+  set("device", line.device);
   set("seed", line.seed);
   set("strict", line.strict);
   line.run.record = record_kinds(line.record);

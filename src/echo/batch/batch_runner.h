@@ -30,6 +30,8 @@ class BatchRunner {
   /// Rays that the samples of one view of the last batch took.
   [[nodiscard]] RayCounts ray_counts(std::size_t view) const { return batch_->ray_counts(view); }
 
+  [[nodiscard]] std::vector<StepTime> step_times() const { return batch_->step_times(); }
+
  private:
   void ask();
   bool trace();

@@ -50,6 +50,9 @@ class EchoBatch {
 
   /// Rays that start() traced for one view.
   [[nodiscard]] virtual RayCounts ray_counts(std::size_t view) const = 0;
+
+  /// Time of each step of start() on a device; none on the host.
+  [[nodiscard]] virtual std::vector<StepTime> step_times() const { return {}; }
 };
 
 }  // namespace insonify

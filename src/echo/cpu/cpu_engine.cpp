@@ -42,7 +42,7 @@ class CpuBatch final : public HostBatch {
 }  // namespace
 
 const EngineKind CpuEngine::kKind = {
-    .name = "cpu", .draws_primaries = true, .make = [](Workers& workers) -> std::unique_ptr<Engine> {
+    .name = "cpu", .draws_primaries = true, .make = [](Workers& workers, std::string_view) -> std::unique_ptr<Engine> {
       return std::make_unique<CpuEngine>(workers);
     }};
 

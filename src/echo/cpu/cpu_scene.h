@@ -8,8 +8,8 @@
 #include <set>
 #include <vector>
 
-#include "echo/cpu/embree.h"
 #include "echo/cpu/ray_packet.h"
+#include "echo/embree.h"
 #include "echo/grid/echo.h"
 #include "echo/mirror/faces.h"
 #include "echo/mirror/water_path.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/lane_bits.h"
-#include "echo/cpu/embree.h"
+#include "echo/embree.h"
 #include "echo/rays/box_cut.h"
 #include "insonify/geometry.h"
 

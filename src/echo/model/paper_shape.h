@@ -15,6 +15,9 @@ class PaperShape {
   /// The model it was made from, whose shape() is the same function in double precision.
   [[nodiscard]] const PaperModel& model() const { return model_; }
 
+  /// Constants of the sigmoid; without one they mean nothing.
+  [[nodiscard]] const Logistic& terms() const { return logistic_; }
+
   /// S of `count` strengths; `power` may be the same array as `strength`.
   void apply(int count, const float* strength, float* power) const;
 

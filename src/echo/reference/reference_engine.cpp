@@ -63,10 +63,11 @@ class ReferenceBatch final : public HostBatch {
 
 }  // namespace
 
-const EngineKind ReferenceEngine::kKind = {
-    .name = "reference", .brute_force = true, .make = [](Workers& workers) -> std::unique_ptr<Engine> {
-      return std::make_unique<ReferenceEngine>(workers);
-    }};
+const EngineKind ReferenceEngine::kKind = {.name = "reference",
+                                           .brute_force = true,
+                                           .make = [](Workers& workers, std::string_view) -> std::unique_ptr<Engine> {
+                                             return std::make_unique<ReferenceEngine>(workers);
+                                           }};
 
 void ReferenceEngine::set_scene(const Scene& scene) {
   origin_ = scene.middle();

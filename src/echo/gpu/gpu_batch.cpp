@@ -1,0 +1,214 @@
+// gpu_batch.cpp -- the steps of a batch: probes, kernels, grids.
+
+#include "echo/gpu/gpu_batch.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "echo/gpu/read_grid.h"
+#include "echo/gpu/shader_values.h"
+
+namespace insonify {
+namespace {
+
+constexpr std::uint32_t kTracePrimaries[] = {
+#include "shaders/trace_primaries.inc"
+};
+constexpr std::uint32_t kEvaluate[] = {
+#include "shaders/evaluate.inc"
+};
+constexpr std::uint32_t kSelect[] = {
+#include "shaders/select.inc"
+};
+constexpr std::uint32_t kDeposit[] = {
+#include "shaders/deposit.inc"
+};
+constexpr std::uint32_t kCountGroups[] = {
+#include "shaders/count_groups.inc"
+};
+constexpr std::uint32_t kReflect[] = {
+#include "shaders/reflect.inc"
+};
+
+constexpr std::uint32_t kTile = 8, kSelectionRows = 64;  // As in the shaders.
+
+}  // namespace
+
+PingKernels::PingKernels(gpu::Device& device)
+    : trace_primaries(device, "trace_primaries", kTracePrimaries),
+      evaluate(device, "evaluate", kEvaluate),
+      select(device, "select", kSelect),
+      deposit(device, "deposit", kDeposit),
+      count_groups(device, "count_groups", kCountGroups),
+      reflect(device, "reflect", kReflect) {}
+
+GpuBatch::GpuBatch(GpuWorld& world, const PingKernels& kernels, Workers& workers)
+    : HostBatch(workers), world_(world), kernels_(kernels), commands_(world.device) {}
+
+// As many as fit into a part of the device's memory.
+std::size_t GpuBatch::capacity(std::span<const PingView> views) const {
+  constexpr std::size_t kBytesPerSample = 48, kBytesPerCell = 120, kMostViews = 256;
+  const std::size_t most = world_.device.info().memory / 4;
+  std::size_t count = 0, bytes = 0;
+  for (const PingView& view : views.first(std::min(kMostViews, views.size()))) {
+    bytes += kBytesPerSample * view.plan->lattice.columns * view.plan->lattice.rows +
+             kBytesPerCell * view.plan->beam_count * view.plan->bin_count;
+    if (count > 0 && bytes > most) {
+      break;
+    }
+    ++count;
+  }
+  return count;
+}
+
+// The probes of all views are traced together.
+void GpuBatch::choose_sampling(std::span<const PingView> views) {
+  probes_.clear();
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const std::span<const Ray> rays = pings_[i]->probes.aim(*views[i].plan, views[i].world_from_sonar);
+    probes_.push_back({views[i].placement, rays, pings_[i]->probes.hits()});
+  }
+  world_.trace(probes_);
+  sampling_.clear();
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    sampling_.push_back(pings_[i]->probes.choose(*views[i].plan, world_.scene.origin(), world_.boxes));
+  }
+}
+
+void GpuBatch::prepare(std::span<const PingView> views) {
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    Ping& ping = *pings_[i];
+    ping.plan.set(world_.device, *views[i].plan);
+    world_.scene.place(views[i].placement, ping.placement);
+    ping.memory.reserve(world_.device, views[i]);
+  }
+}
+
+// What the kernels find of each ping.
+void GpuBatch::fill_jobs(std::span<const PingView> views) {
+  std::byte* to = jobs_.refill(world_.device, views.size() * sizeof(shader::PingAt));
+  for (std::size_t i = 0; i < views.size(); ++i, to += sizeof(shader::PingAt)) {
+    const Ping& ping = *pings_[i];
+    const Pose& pose = views[i].world_from_sonar;
+    const Eigen::Matrix3d axes = pose.orientation.toRotationMatrix();
+    const shader::PingAt job = {.plan = ping.plan.address(),
+                                .scene = ping.placement.address(),
+                                .reflectivity = world_.reflectivity_on_device.address(),
+                                .sonar = plain(pose.position - world_.scene.origin()),
+                                .forward = plain(axes.col(0)),
+                                .port = plain(axes.col(1)),
+                                .up = plain(axes.col(2)),
+                                .sampling = static_cast<std::uint32_t>(sampling_[i]),
+                                .samples = ping.memory.samples(),
+                                .cells = ping.memory.cells(),
+                                .reflecting = ping.memory.reflecting()};
+    std::memcpy(to, &job, sizeof(job));
+  }
+}
+
+void GpuBatch::record(std::span<const PingView> views) {
+  std::uint32_t tiles = 0, samples = 0, intervals = 0, blocks = 0;
+  for (const PingView& view : views) {
+    const auto columns = static_cast<std::uint32_t>(view.plan->lattice.columns),
+               rows = static_cast<std::uint32_t>(view.plan->lattice.rows);
+    tiles = std::max(tiles, groups_for(columns, kTile) * groups_for(rows, kTile));
+    samples = std::max(samples, columns * rows);
+    intervals = std::max(intervals, columns * (rows + 1));
+    blocks = std::max(blocks, columns * groups_for(rows, kSelectionRows));
+  }
+  const auto count = static_cast<std::uint32_t>(views.size());
+  const shader::PingJob all = {jobs_.address(), 0, gpu::Commands::most_groups};
+  const auto finish_step = [&] {
+    commands_.wait_for_writes();
+    commands_.stamp();
+  };
+  commands_.begin();
+  commands_.stamp();
+  for (std::uint32_t i = 0; i < count; ++i) {
+    pings_[i]->plan.copy(commands_);
+    pings_[i]->placement.buffer.copy(commands_);
+    pings_[i]->memory.clear(commands_);
+  }
+  jobs_.copy(commands_);
+  finish_step();
+  commands_.run(kernels_.trace_primaries, all, tiles, count);
+  finish_step();
+  commands_.run(kernels_.evaluate, all, groups_for(samples), count);
+  finish_step();
+  commands_.run(kernels_.select, all, groups_for(blocks), count);
+  finish_step();
+  commands_.run(kernels_.deposit, all, groups_for(intervals), count);
+  commands_.run(kernels_.count_groups, all, 1, count);
+  finish_step();
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const PingMemory& memory = pings_[i]->memory;
+    commands_.run_indirect(kernels_.reflect, shader::PingJob{jobs_.address(), i, gpu::Commands::most_groups},
+                           memory.sums(), memory.counters_offset() + offsetof(shader::Counters, groups));
+  }
+  finish_step();
+  for (std::uint32_t i = 0; i < count; ++i) {
+    pings_[i]->memory.copy_sums(commands_);
+  }
+  finish_step();
+  commands_.submit();
+  commands_.wait();
+  step_seconds_ = commands_.stamped();
+}
+
+std::vector<StepTime> GpuBatch::step_times() const {
+  constexpr std::string_view kSteps[] = {"clear",   "trace_primaries", "evaluate", "select",
+                                         "deposit", "reflect",         "copy"};
+  std::vector<StepTime> times;
+  for (std::size_t i = 0; i < step_seconds_.size(); ++i) {
+    times.push_back({kSteps[i], step_seconds_[i]});
+  }
+  return times;
+}
+
+bool GpuBatch::enough_room() {
+  bool enough = true;
+  for (std::size_t i = 0; i < sampling_.size(); ++i) {
+    enough = pings_[i]->memory.enough_room(world_.device) && enough;
+  }
+  return enough;
+}
+
+void GpuBatch::read(std::span<const PingView> views) {
+  const std::span<const std::unique_ptr<Ping>> pings = std::span(pings_).first(views.size());
+  if (std::ranges::any_of(pings, [](const auto& ping) { return ping->memory.has_rest(); })) {
+    commands_.begin();
+    for (const auto& ping : pings) {
+      ping->memory.copy_rest(commands_);
+    }
+    commands_.submit();
+    commands_.wait();
+  }
+  constexpr int kBeams = 8;  // A task reads so many.
+  scratch_.resize(static_cast<std::size_t>(workers_.count()));
+  for_each_view([&](std::size_t view, Workers& workers, int view_worker) {
+    const PingMemory& memory = pings_[view]->memory;
+    const FlatPlan& plan = *views[view].plan;
+    workers.for_each((plan.beam_count + kBeams - 1) / kBeams, [&](int task, int worker) {
+      read_beams(memory, task * kBeams, std::min((task + 1) * kBeams, plan.beam_count), scratch_[view_worker + worker],
+                 *grids_[view]);
+    });
+    counts_[view] = {.primary = static_cast<std::uint64_t>(plan.lattice.columns) * plan.lattice.rows,
+                     .secondary = probes_[view].rays.size() + memory.counters().reflected,
+                     .return_legs = memory.counters().returns};
+  });
+}
+
+void GpuBatch::insonify(std::span<const PingView> views) {
+  while (pings_.size() < views.size()) {
+    pings_.push_back(std::make_unique<Ping>());
+  }
+  choose_sampling(views);
+  prepare(views);
+  do {
+    fill_jobs(views);
+    record(views);
+  } while (!enough_room());
+  read(views);
+}
+
+}  // namespace insonify

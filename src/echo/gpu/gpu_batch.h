@@ -1,0 +1,60 @@
+// gpu_batch.h -- a batch of pings on a device.
+
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "echo/batch/host_batch.h"
+#include "echo/gpu/gpu_plan.h"
+#include "echo/gpu/gpu_world.h"
+#include "echo/gpu/ping_memory.h"
+#include "echo/rays/choose_sampling.h"
+
+namespace insonify {
+
+/// The kernels of a ping, each a step: the shader of the same name.
+struct PingKernels {
+  explicit PingKernels(gpu::Device& device);
+
+  gpu::Kernel trace_primaries, evaluate, select, deposit, count_groups, reflect;
+};
+
+/// All pings of a batch are computed in one submission.
+class GpuBatch final : public HostBatch {
+ public:
+  GpuBatch(GpuWorld& world, const PingKernels& kernels, Workers& workers);
+
+  [[nodiscard]] std::size_t capacity(std::span<const PingView> views) const override;
+  [[nodiscard]] std::vector<StepTime> step_times() const override;
+
+ protected:
+  void insonify(std::span<const PingView> views) override;
+
+ private:
+  struct Ping {
+    GpuPlan plan;
+    GpuPlacement placement;
+    PingMemory memory;
+    SamplingProbes probes;
+  };
+
+  void choose_sampling(std::span<const PingView> views);
+  void prepare(std::span<const PingView> views);
+  void fill_jobs(std::span<const PingView> views);
+  void record(std::span<const PingView> views);
+  bool enough_room();
+  void read(std::span<const PingView> views);
+
+  GpuWorld& world_;
+  const PingKernels& kernels_;
+  gpu::Commands commands_;
+  std::vector<std::unique_ptr<Ping>> pings_;  // [view]
+  std::vector<SecondarySampling> sampling_;   // [view]
+  gpu::StagedBuffer jobs_;                    // PingAt[view]
+  std::vector<double> step_seconds_;
+  std::vector<RayRun> probes_;
+  std::vector<std::vector<shader::SurfaceSum>> scratch_;  // [worker]
+};
+
+}  // namespace insonify

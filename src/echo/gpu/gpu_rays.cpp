@@ -1,0 +1,90 @@
+// gpu_rays.cpp -- passes rays to a device and turns what comes back into hits.
+
+#include "echo/gpu/gpu_rays.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "echo/gpu/shader_values.h"
+#include "echo/grid/echo.h"
+
+namespace insonify {
+namespace {
+
+constexpr std::uint32_t kTraceRays[] = {
+#include "shaders/trace_rays.inc"
+};
+
+Vec3f vector_of(const shader::vec3& v) {
+  return {v.x, v.y, v.z};
+}
+
+}  // namespace
+
+GpuRays::GpuRays(gpu::Device& device) : device_(device), kernel_(device, "trace_rays", kTraceRays), commands_(device) {}
+
+void GpuRays::load(std::span<const RayRun> runs, const Vec3& origin) {
+  auto* place = rays_.data<shader::LooseRay>();
+  for (const RayRun& run : runs) {
+    for (const Ray& ray : run.rays) {
+      *place++ = {plain(ray.origin - origin), static_cast<float>(ray.min_distance), plain(ray.direction),
+                  static_cast<float>(ray.max_distance)};
+    }
+  }
+}
+
+void GpuRays::read(std::span<const RayRun> runs, const Reliefs& reliefs, const std::vector<float>& reflectivity,
+                   const Vec3& origin) {
+  const auto* found = hits_.data<const shader::LooseHit>();
+  for (const RayRun& run : runs) {
+    for (std::size_t i = 0; i < run.rays.size(); ++i, ++found) {
+      Hit& hit = run.hits[i];
+      hit = {.distance = std::numeric_limits<double>::infinity()};
+      if (found->distance < 0 || double{found->distance} > run.rays[i].max_distance) {
+        continue;
+      }
+      const Ray& ray = run.rays[i];
+      const std::uint16_t instance = instance_of(found->surface), material = material_of(found->surface);
+      const Vec3f flat = vector_of(found->normal);
+      ReliefPoint relief;
+      if (reliefs.any()) {
+        const Vec3 point = ray.origin + double{found->distance} * ray.direction - origin;
+        relief = reliefs.at(instance, found->triangle, point.cast<float>(), flat);
+      }
+      const Vec3 normal = (flat.normalized() - relief.gradient).cast<double>().normalized();
+      const bool from_behind = flat.cast<double>().dot(ray.direction) > 0;
+      hit = {found->distance, from_behind ? Vec3(-normal) : normal,         instance,
+             material,        reflectivity[material] * relief.reflectivity, relief.reflectivity};
+    }
+  }
+}
+
+void GpuRays::trace(const GpuScene& scene, const Reliefs& reliefs, const std::vector<float>& reflectivity,
+                    std::span<const RayRun> runs) {
+  for (std::size_t first = 0, last = 0; first < runs.size(); first = last) {
+    const Placement* placement = runs[first].placement;
+    std::size_t count = 0;
+    for (last = first; last < runs.size() && Placement::same(runs[last].placement, placement); ++last) {
+      count += runs[last].rays.size();
+    }
+    if (count == 0) {
+      continue;
+    }
+    const std::span<const RayRun> together = runs.subspan(first, last - first);
+    rays_.reserve(device_, count * sizeof(shader::LooseRay), gpu::Memory::kToDevice);
+    hits_.reserve(device_, count * sizeof(shader::LooseHit), gpu::Memory::kToHost);
+    scene.place(placement, placed_);
+    load(together, scene.origin());
+    commands_.begin();
+    placed_.buffer.copy(commands_);
+    commands_.wait_for_writes();
+    const shader::TraceRays job = {placed_.address(), rays_.address(), hits_.address(),
+                                   static_cast<std::uint32_t>(count)};
+    commands_.run(kernel_, job, groups_for(job.count));
+    commands_.submit();
+    commands_.wait();
+    read(together, reliefs, reflectivity, scene.origin());
+  }
+}
+
+}  // namespace insonify

@@ -1,0 +1,34 @@
+// gpu_world.h -- a device, the scene on it, and what stays on the host.
+
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "echo/gpu/gpu_rays.h"
+#include "echo/gpu/gpu_scene.h"
+#include "echo/model/left_out.h"
+#include "echo/model/reliefs.h"
+#include "echo/rays/box_cut.h"
+#include "gpu/device.h"
+
+namespace insonify {
+
+struct GpuWorld {
+  /// @param device  See gpu::choose_device().
+  explicit GpuWorld(std::string_view wanted) : device(wanted), scene(device), rays(device) {}
+
+  void set(const Scene& of);
+  void trace(std::span<const RayRun> runs) { rays.trace(scene, reliefs, reflectivity, runs); }
+
+  gpu::Device device;
+  GpuScene scene;
+  GpuRays rays;
+  Reliefs reliefs;
+  BoxCut boxes;
+  std::vector<float> reflectivity;     // [material]
+  gpu::Buffer reflectivity_on_device;  // The same.
+  std::shared_ptr<const LeftOut> left_out;
+};
+
+}  // namespace insonify

@@ -1,0 +1,170 @@
+// layout.h -- structures that the host writes and shaders read, in the common subset of C++ and GLSL. Scalar layout: as
+// C++ lays them out, without padding of vectors. Addresses are those of buffers on the device.
+
+#ifdef __cplusplus
+#pragma once
+
+#include <cstdint>
+
+namespace insonify::shader {
+
+using uint = std::uint32_t;
+using address = std::uint64_t;
+using int64 = std::int64_t;
+struct vec3 {
+  float x, y, z;
+};
+struct mat3x4 {
+  float values[12];  ///< Column after column.
+};
+
+#else
+#define address uint64_t
+#define int64 int64_t
+#define mat3x4 mat4x3  // Four columns of three rows: a rotation and an offset.
+#endif
+
+/// A node with up to eight children, whose boxes are rounded outwards to 1/255 of its own: Ylitie, Karras and Laine,
+/// "Efficient incoherent ray traversal on GPUs through compressed wide BVHs", HPG 2017. A child is in the slot of the
+/// octant that it lies in, so that slots are visited from near to far for any direction.
+struct TreeNode {
+  vec3 low;     ///< Low corner of the node's box.
+  uint scales;  ///< Byte 0..2: exponent + 127 of the unit of low and high along x, y, z; byte 3: bit s is set where
+                ///< slot s is a node.
+  uint first_child;  ///< Children that are nodes follow each other from here on, by slot.
+  uint first_leaf;   ///< Leaves' contents follow each other from here on, by slot.
+  uint kinds[2];  ///< A byte a slot. Node: 1 in the upper three bits, 24 + slot in the lower five. Leaf: as many ones
+                  ///< as it holds in the upper three, its place after first_leaf in the lower five. Empty: 0.
+  uint lows[6];   ///< A byte a slot, eight for each axis.
+  uint highs[6];
+};
+
+/// A triangle in the order of the tree's leaves: a corner, and the edges that Moeller and Trumbore's test needs.
+struct TreeTriangle {
+  vec3 corner;
+  uint index;  ///< In the mesh.
+  vec3 edge1;  ///< Corner 0 - corner 1.
+  vec3 edge2;  ///< Corner 2 - corner 0.
+};
+
+/// An instance of a mesh.
+struct PlacedMesh {
+  mat3x4 mesh_from_scene;
+  mat3x4 scene_from_mesh;
+  address nodes;      ///< TreeNode[]
+  address triangles;  ///< TreeTriangle[]
+  address corners;    ///< uint[3 * triangle]
+  address vertices;   ///< vec3[]
+  address normals;    ///< vec3[]
+  address slots;      ///< uint[triangle]; 0: all are slot 0.
+  address surfaces;   ///< uint[slot], SurfaceLabel.
+};
+
+/// A scene as it is at one ping.
+struct PlacedScene {
+  address nodes;      ///< TreeNode[] over the instances.
+  address leaves;     ///< uint[], instances in the order of the leaves.
+  address instances;  ///< PlacedMesh[]
+};
+
+/// A ray to trace alone, and what it hits.
+struct LooseRay {
+  vec3 origin;
+  float near;
+  vec3 direction;
+  float far;
+};
+struct LooseHit {
+  float distance;  ///< Negative for a miss.
+  uint surface;    ///< SurfaceLabel
+  uint triangle;
+  vec3 normal;  ///< Shading normal, of any length and side.
+};
+
+/// What the kernel trace_rays is passed.
+struct TraceRays {
+  address scene;  ///< PlacedScene
+  address rays;   ///< LooseRay[]
+  address hits;   ///< LooseHit[]
+  uint count;
+};
+
+/// What FlatPlan holds, see there: numbers, and addresses of tables.
+struct PlanTables {
+  uint columns, rows, columns_per_beam, beams, bins;
+  uint cone;                             ///< 1 for BeamShape::kCone, 0 for kWedge.
+  uint shaped;                           ///< `paper`: whether strengths go through the sigmoid.
+  float slope, midpoint, scale, offset;  ///< `paper`: of the sigmoid.
+  float neper_per_metre, true_max_range, reach, bins_per_metre, first_bin_at, middle_elevation, beams_per_radian;
+  uint stagger;
+  address cos_azimuth, sin_azimuth, azimuth, column_width, column_measure;  ///< float[column]
+  address row_set, touching;                                                ///< uint[column]
+  address elevation, cos_t, sin_t, share;                                   ///< float[set][row]
+  address interval;                                                         ///< float[set][row + 1]
+  address edges;                                                            ///< float[set][4]
+  address port_edges, starboard_edges;                                      ///< float[beam]
+};
+
+/// Values of every sample of a ping, [column][row].
+struct Samples {
+  address surface;       ///< uint, SurfaceLabel
+  address range;         ///< float
+  address normal;        ///< vec3, unit length.
+  address reflectivity;  ///< float
+  address facing;        ///< float, see HitColumn.
+  address power;         ///< float, see HitColumn.
+  address joined;        ///< uint, see FootprintSegments: with the sample above.
+};
+
+/// The sums of a ping, in fixed point: see cells.glsl.
+struct Cells {
+  address energy, weight;  ///< int64[order][beam][bin]
+  address first_surface;   ///< uint[beam][bin]: index + 1 of a SurfaceSum; 0 for none. One surface may have several.
+  address surfaces;        ///< SurfaceSum[]
+  address counter;         ///< Counter
+  address met_before;      ///< int64[beam]
+  uint most_surfaces;
+  uint labelled;  ///< 0: no labels; 1: with; 2: with squares of elevations.
+};
+struct SurfaceSum {
+  uint key;   ///< SurfaceLabel + 1; 0 until it is taken.
+  uint next;  ///< Index + 1 of the next in the list of the cell; 0: none.
+  int64 energy, moment, square;
+};
+struct Counters {
+  uint surfaces;   ///< SurfaceSums taken; those from Cells::most_surfaces on found no room.
+  uint reflected;  ///< Hits that reflect a ray.
+  uint returns;    ///< Return legs traced.
+  uint groups[3];  ///< Groups of the kernel that reflects them.
+  uint unused;     ///< So that counters of a ping are a whole number of 64-bit words.
+};
+
+/// A hit that reflects a ray.
+struct Reflecting {
+  uint column, row;
+  float selected;  ///< How many hits it stands for.
+};
+
+/// A ping of a batch.
+struct PingAt {
+  address plan;            ///< PlanTables
+  address scene;           ///< PlacedScene
+  address reflectivity;    ///< float[material]
+  vec3 sonar;              ///< Position [m].
+  vec3 forward, port, up;  ///< Its axes.
+  uint sampling;           ///< SecondarySampling
+  Samples samples;
+  Cells cells;
+  address reflecting;  ///< Reflecting[columns * rows]
+};
+
+/// What the kernels of a ping are passed.
+struct PingJob {
+  address pings;  ///< PingAt[]; a row of groups for each, from the first on.
+  uint first;
+  uint most_groups;  ///< In one row of groups.
+};
+
+#ifdef __cplusplus
+}  // namespace insonify::shader
+#endif

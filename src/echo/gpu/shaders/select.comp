@@ -1,0 +1,36 @@
+#version 460
+// select.comp -- chooses the hits that reflect a ray: select_hits() of the host.
+
+#extension GL_GOOGLE_include_directive : require
+#include "ping.glsl"
+
+// From one column to the next the start of the sum advances by the golden section; the sum restarts after some rows.
+const uint kGoldenTurn = 2654435769u, kSelectionRows = 64;
+layout(local_size_x = 64) in;
+
+void main() {
+  const PingAt ping = Pings(job.pings).at[job.first + gl_WorkGroupID.y];
+  const PlanTables plan = PlanAt(ping.plan).plan;
+  const uint blocks = (plan.rows + kSelectionRows - 1) / kSelectionRows;
+  const uint column = INVOCATION / blocks, block = INVOCATION % blocks;
+  if (column >= plan.columns || ping.sampling == kSampleNone) {
+    return;
+  }
+  CountersAt counts = CountersAt(ping.cells.counter);
+  ReflectingHits hits = ReflectingHits(ping.reflecting);
+  uint sum = column * kGoldenTurn + plan.stagger;
+  for (uint row = block * kSelectionRows; row < min((block + 1) * kSelectionRows, plan.rows); ++row) {
+    const uint at = column * plan.rows + row;
+    const bool met = Uints(ping.samples.surface).at[at] != kNoSurface;
+    float selected = met ? 1.0 : 0.0;
+    if (ping.sampling == kSampleSome) {
+      const float share =
+          met ? paper_share(Floats(ping.samples.facing).at[at], Floats(ping.samples.reflectivity).at[at]) : 0.0;
+      sum += share_in_turns(share);
+      selected = selected_weight(share, sum);
+    }
+    if (selected > 0.0) {
+      hits.at[atomicAdd(counts.counters.reflected, 1u)] = Reflecting(column, row, selected);
+    }
+  }
+}

@@ -1,0 +1,31 @@
+#version 460
+// trace_primaries.comp -- the first surface along the ray of each sample.
+
+#extension GL_GOOGLE_include_directive : require
+#include "ping.glsl"
+
+// A group is a tile of the lattice: neighbours walk through the same nodes.
+const uint kTileColumns = 8, kTileRows = 8;
+layout(local_size_x = 64) in;
+
+void main() {
+  const PingAt ping = Pings(job.pings).at[job.first + gl_WorkGroupID.y];
+  const PlanTables plan = PlanAt(ping.plan).plan;
+  const uint tiles = (plan.rows + kTileRows - 1) / kTileRows;
+  const uint lane = gl_LocalInvocationIndex;
+  const uint column = GROUP / tiles * kTileColumns + (lane / 8) % 4 * 2 + lane % 2;
+  const uint row = GROUP % tiles * kTileRows + lane / 32 * 4 + lane / 2 % 4;
+  if (column >= plan.columns || row >= plan.rows) {
+    return;
+  }
+  const PlacedScene scene = PlacedSceneAt(ping.scene).scene;
+  const vec3 direction = direction_of(plan, axes_of(ping, plan, column), column, row);
+  const SceneHit hit = trace(scene, ping.sonar, direction, 0.0, plan.true_max_range, false);
+  const Surface surface = surface_at(scene, hit);
+  const bool met = hit.instance != kNoInstance;
+  const uint at = column * plan.rows + row;
+  Uints(ping.samples.surface).at[at] = surface.label;
+  Floats(ping.samples.range).at[at] = met ? hit.distance : 0.0;
+  Vectors(ping.samples.normal).at[at] = unit(surface.normal);
+  Floats(ping.samples.reflectivity).at[at] = met ? Floats(ping.reflectivity).at[surface.label & 0xffffu] : 0.0;
+}

@@ -1,0 +1,25 @@
+#version 460
+// trace_rays.comp -- the nearest surface along each ray of a list.
+
+#extension GL_GOOGLE_include_directive : require
+#include "scene.glsl"
+
+layout(local_size_x = 64) in;
+
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Rays { LooseRay at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) writeonly buffer Hits { LooseHit at[]; };
+
+layout(push_constant, scalar) uniform Push { TraceRays job; };
+
+void main() {
+  const uint index = INVOCATION;
+  if (index >= job.count) {
+    return;
+  }
+  const PlacedScene scene = PlacedSceneAt(job.scene).scene;
+  const LooseRay ray = Rays(job.rays).at[index];
+  const SceneHit hit = trace(scene, ray.origin, ray.direction, ray.near, ray.far, false);
+  const Surface surface = surface_at(scene, hit);
+  Hits(job.hits).at[index] = LooseHit(hit.instance == kNoInstance ? -1.0 : hit.distance, surface.label,
+                                      surface.triangle, surface.normal);
+}
