@@ -59,7 +59,8 @@ sonars: [{name: fls, beam_count: 256, bin_count: 500, azimuth_aperture_deg: 80, 
         self.assertEqual(numbers, sorted(numbers))
         gaps = [b - a for a, b in zip(numbers, numbers[1:])]
         self.assertGreater(max(gaps), 10, "the oldest fell out")
-        self.assertEqual(gaps[-3:], [1, 1, 1], "the newest stayed")
+        # The first of the four may be an older one, whose sending had begun.
+        self.assertEqual(gaps[-2:], [1, 1], "the newest stayed")
         # States from before the end say less, and a gap has pings too that a busy server sent to no page.
         while slow.text("state")["dropped"] <= 10:
             pass
