@@ -98,8 +98,8 @@ void check_engine(const Scenario& scenario) {
   if (std::ranges::find(names, scenario.engine) == names.end()) {
     throw Error("", "engine", fmt::format(" = \"{}\" must be {}", scenario.engine, fmt::join(names, " or ")));
   }
-  if (scenario.model != EchoModel::kPaper && engine_kind(scenario.engine).paper_only) {
-    throw Error("", "engine", fmt::format(" = {} computes only model = paper so far", scenario.engine));
+  if (scenario.model == EchoModel::kCalibrated && scenario.surface && !engine_kind(scenario.engine).complete) {
+    throw Error("", "engine", fmt::format(" = {} computes no sea surface in model = calibrated yet", scenario.engine));
   }
 }
 

@@ -19,6 +19,8 @@ class FanPattern {
 
   [[nodiscard]] bool is_flat() const { return length_ == 0; }
 
+  [[nodiscard]] double length() const { return length_; }  ///< [wavelengths]; 0 if flat.
+
   /// Gain at the sine of a bearing in front, at least kLeast: what divides by it needs no case of its own.
   [[nodiscard]] double intensity(double sine) const {
     const double x = std::numbers::pi * length_ * sine;

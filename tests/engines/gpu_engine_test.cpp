@@ -51,11 +51,23 @@ TEST_F(GpuEngineTest, DevicesAreListedByIndexAndName) {
   EXPECT_TRUE(texts[0].starts_with("0: ")) << texts[0];
 }
 
-TEST_F(GpuEngineTest, TheCalibratedModelIsRefusedByName) {
+TEST_F(GpuEngineTest, WhatItDoesNotComputeIsRefusedByName) {
   Scenario scenario = quiet_scenario(SonarConfig());
   scenario.engine = "gpu";
   scenario.model = EchoModel::kCalibrated;
-  EXPECT_EQ(message_of([&] { scenario.validate(); }), "engine = gpu computes only model = paper so far");
+  scenario.validate();
+  scenario.surface = SeaSurface{.level = 2};
+  EXPECT_EQ(message_of([&] { scenario.validate(); }), "engine = gpu computes no sea surface in model = calibrated yet");
+
+  Scene scene = SceneMaker().add_wall(8).scene();
+  const auto refused = [&] {
+    return message_of(
+        [&] { (void)echoes_of("gpu", scene, {.model = EchoModel::kCalibrated, .materials = scene.materials}); });
+  };
+  EXPECT_EQ(refused(), "no error");
+  scene.materials[0].open_share = 0.5;
+  EXPECT_EQ(refused(),
+            "engine gpu computes no materials that let sound through yet (open_share, thickness); engine cpu does");
 }
 
 // A card adds in any order.

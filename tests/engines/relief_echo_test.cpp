@@ -31,7 +31,7 @@ struct Way {
 std::vector<Way> ways() {
   std::vector<Way> all;
   for (const std::string_view name : usable_engines()) {
-    if (!computes(name, EchoModel::kCalibrated)) {
+    if (!engine_kind(name).complete) {
       continue;
     }
     all.push_back({std::string(name), PrimaryEchoes::kRays});

@@ -104,11 +104,6 @@ inline const std::vector<std::string_view>& usable_engines() {
   return usable;
 }
 
-/// Those of the models that an engine computes.
-inline bool computes(std::string_view engine, EchoModel model) {
-  return model == EchoModel::kPaper || !engine_kind(engine).paper_only;
-}
-
 /// Parameters of tests that run on every engine, in both models.
 struct EngineAndModel {
   std::string name;
@@ -120,9 +115,7 @@ inline std::vector<EngineAndModel> engines_and_models() {
   for (const std::string_view name : usable_engines()) {
     const std::string engine(name);
     all.push_back({engine, engine, EchoModel::kPaper});
-    if (computes(engine, EchoModel::kCalibrated)) {
-      all.push_back({engine + "Calibrated", engine, EchoModel::kCalibrated});
-    }
+    all.push_back({engine + "Calibrated", engine, EchoModel::kCalibrated});
   }
   return all;
 }

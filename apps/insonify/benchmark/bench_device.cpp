@@ -16,9 +16,9 @@ namespace {
 
 constexpr int kBatches[] = {1, 16, 256};
 
-Scenario device_scenario(const char* engine, const std::string& device) {
+Scenario device_scenario(EchoModel model, const char* engine, const std::string& device) {
   Scenario scenario;
-  scenario.model = EchoModel::kPaper;
+  scenario.model = model;
   scenario.engine = engine;
   scenario.device = device;
   scenario.sonars = {bench_sonar()};
@@ -75,15 +75,20 @@ DeviceRow time_row(const Scenario& scenario, const Scene& scene, int batch, int 
   return row;
 }
 
-nlohmann::json to_json(std::size_t triangles, const char* engine, int batch, const DeviceRow& row) {
+nlohmann::json to_json(std::size_t triangles, const char* model, const char* engine, int batch, const DeviceRow& row) {
   nlohmann::json steps = nlohmann::json::object();
   for (const auto& [name, time] : row.steps) {
     steps[name] = time;
   }
-  return {{"table", "device"},          {"triangles", triangles},
-          {"engine", engine},           {"batch", batch},
-          {"setup_ms", row.setup_ms},   {"ping_ms", row.ping_ms},
-          {"device_ms", row.device_ms}, {"pings_per_s", kMilliseconds / row.ping_ms},
+  return {{"table", "device"},
+          {"triangles", triangles},
+          {"model", model},
+          {"engine", engine},
+          {"batch", batch},
+          {"setup_ms", row.setup_ms},
+          {"ping_ms", row.ping_ms},
+          {"device_ms", row.device_ms},
+          {"pings_per_s", kMilliseconds / row.ping_ms},
           {"steps_ms", steps}};
 }
 
@@ -91,27 +96,30 @@ nlohmann::json to_json(std::size_t triangles, const char* engine, int batch, con
 
 int bench_device(const BenchOptions& options) {
   say("Devices: {}\n", fmt::format("{}", fmt::join(device_texts(), "; ")));
-  say("256 beams x 500 bins, 120 x 20 degrees, 20 m, 4 x 200 samples a beam, model paper, selective, labels; whole "
-      "pings,\n"
-      "medians of {} or more, one by one and in batches. device: all steps on the device; set-up with the first "
-      "ping.\n\n"
-      "{:>9} {:<6} {:>5} {:>9} {:>8} {:>9} {:>9}  {}\n",
-      options.repetitions, "triangles", "engine", "batch", "setup ms", "ping ms", "pings/s", "device ms", "steps [ms]");
+  say("256 beams x 500 bins, 120 x 20 degrees, 20 m, 4 x 200 samples a beam, selective, labels; whole pings, medians "
+      "of {}\n"
+      "or more, one by one and in batches. device: all steps on the device; set-up with the first ping.\n\n"
+      "{:>9} {:<10} {:<6} {:>5} {:>9} {:>8} {:>9} {:>9}  {}\n",
+      options.repetitions, "triangles", "model", "engine", "batch", "setup ms", "ping ms", "pings/s", "device ms",
+      "steps [ms]");
   nlohmann::json rows = nlohmann::json::array();
   for (const int count : options.triangles) {
     const Scene scene = make_bench_scene(count);
-    for (const char* engine : {"cpu", "gpu"}) {
-      for (const int batch : kBatches) {
-        const DeviceRow row =
-            time_row(device_scenario(engine, options.device), scene, batch, std::max(options.repetitions, batch));
-        std::string steps;
-        for (const auto& [name, time] : row.steps) {
-          steps += fmt::format(" {} {:.3f}", name, time);
+    for (const auto& [model, model_name] :
+         {std::pair{EchoModel::kPaper, "paper"}, std::pair{EchoModel::kCalibrated, "calibrated"}}) {
+      for (const char* engine : {"cpu", "gpu"}) {
+        for (const int batch : kBatches) {
+          const DeviceRow row = time_row(device_scenario(model, engine, options.device), scene, batch,
+                                         std::max(options.repetitions, batch));
+          std::string steps;
+          for (const auto& [name, time] : row.steps) {
+            steps += fmt::format(" {} {:.3f}", name, time);
+          }
+          say("{:>9} {:<10} {:<6} {:>5} {:>9.1f} {:>8.3f} {:>9.1f} {:>9.3f} {}\n", scene.triangle_count(), model_name,
+              engine, batch, row.setup_ms, row.ping_ms, kMilliseconds / row.ping_ms, row.device_ms, steps);
+          flush_output();
+          rows.push_back(to_json(scene.triangle_count(), model_name, engine, batch, row));
         }
-        say("{:>9} {:<6} {:>5} {:>9.1f} {:>8.3f} {:>9.1f} {:>9.3f} {}\n", scene.triangle_count(), engine, batch,
-            row.setup_ms, row.ping_ms, kMilliseconds / row.ping_ms, row.device_ms, steps);
-        flush_output();
-        rows.push_back(to_json(scene.triangle_count(), engine, batch, row));
       }
     }
   }

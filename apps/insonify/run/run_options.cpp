@@ -58,7 +58,7 @@ void add_input_options(const Command& command, RunLine& line) {
                  number_within(above_to(0, 1e6)));
   command.exclude("--turns", {"--pings", "--duration"});
   command.option("--engine", "NAME", &line.engine,
-                 "Engine that computes the echoes: cpu, gpu (model paper), or reference (slow)", one_of(engines()));
+                 "Engine that computes the echoes: cpu, gpu (a graphics card), or reference (slow)", one_of(engines()));
   command.option("--device", "NAME", &line.device, "Graphics card of engine gpu: a part of its name, or its index");
   command.option("--seed", "N", &line.seed, "Start of the random numbers",
                  whole_number(0, std::numeric_limits<std::uint64_t>::max()));

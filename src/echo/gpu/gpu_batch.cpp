@@ -7,12 +7,16 @@
 
 #include "echo/gpu/read_grid.h"
 #include "echo/gpu/shader_values.h"
+#include "insonify/error.h"
 
 namespace insonify {
 namespace {
 
 constexpr std::uint32_t kTracePrimaries[] = {
 #include "shaders/trace_primaries.inc"
+};
+constexpr std::uint32_t kTurnUp[] = {
+#include "shaders/turn_up.inc"
 };
 constexpr std::uint32_t kEvaluate[] = {
 #include "shaders/evaluate.inc"
@@ -26,6 +30,9 @@ constexpr std::uint32_t kDeposit[] = {
 constexpr std::uint32_t kCountGroups[] = {
 #include "shaders/count_groups.inc"
 };
+constexpr std::uint32_t kMirror[] = {
+#include "shaders/mirror.inc"
+};
 constexpr std::uint32_t kReflect[] = {
 #include "shaders/reflect.inc"
 };
@@ -36,18 +43,20 @@ constexpr std::uint32_t kTile = 8, kSelectionRows = 64;  // As in the shaders.
 
 PingKernels::PingKernels(gpu::Device& device)
     : trace_primaries(device, "trace_primaries", kTracePrimaries),
+      turn_up(device, "turn_up", kTurnUp),
       evaluate(device, "evaluate", kEvaluate),
       select(device, "select", kSelect),
       deposit(device, "deposit", kDeposit),
       count_groups(device, "count_groups", kCountGroups),
-      reflect(device, "reflect", kReflect) {}
+      reflect(device, "reflect", kReflect),
+      mirror(device, "mirror", kMirror) {}
 
 GpuBatch::GpuBatch(GpuWorld& world, const PingKernels& kernels, Workers& workers)
     : HostBatch(workers), world_(world), kernels_(kernels), commands_(world.device) {}
 
 // As many as fit into a part of the device's memory.
 std::size_t GpuBatch::capacity(std::span<const PingView> views) const {
-  constexpr std::size_t kBytesPerSample = 48, kBytesPerCell = 120, kMostViews = 256;
+  constexpr std::size_t kBytesPerSample = 64, kBytesPerCell = 120, kMostViews = 256;
   const std::size_t most = world_.device.info().memory / 4;
   std::size_t count = 0, bytes = 0;
   for (const PingView& view : views.first(std::min(kMostViews, views.size()))) {
@@ -133,6 +142,11 @@ void GpuBatch::record(std::span<const PingView> views) {
   finish_step();
   commands_.run(kernels_.trace_primaries, all, tiles, count);
   finish_step();
+  const bool calibrated = views.front().plan->model == EchoModel::kCalibrated;
+  if (calibrated) {
+    commands_.run(kernels_.turn_up, all, groups_for(samples), count);
+    commands_.wait_for_writes();
+  }
   commands_.run(kernels_.evaluate, all, groups_for(samples), count);
   finish_step();
   commands_.run(kernels_.select, all, groups_for(blocks), count);
@@ -142,8 +156,9 @@ void GpuBatch::record(std::span<const PingView> views) {
   finish_step();
   for (std::uint32_t i = 0; i < count; ++i) {
     const PingMemory& memory = pings_[i]->memory;
-    commands_.run_indirect(kernels_.reflect, shader::PingJob{jobs_.address(), i, gpu::Commands::most_groups},
-                           memory.sums(), memory.counters_offset() + offsetof(shader::Counters, groups));
+    commands_.run_indirect(calibrated ? kernels_.mirror : kernels_.reflect,
+                           shader::PingJob{jobs_.address(), i, gpu::Commands::most_groups}, memory.sums(),
+                           memory.counters_offset() + offsetof(shader::Counters, groups));
   }
   finish_step();
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -189,8 +204,8 @@ void GpuBatch::read(std::span<const PingView> views) {
     const PingMemory& memory = pings_[view]->memory;
     const FlatPlan& plan = *views[view].plan;
     workers.for_each((plan.beam_count + kBeams - 1) / kBeams, [&](int task, int worker) {
-      read_beams(memory, task * kBeams, std::min((task + 1) * kBeams, plan.beam_count), scratch_[view_worker + worker],
-                 *grids_[view]);
+      read_beams(memory, plan, task * kBeams, std::min((task + 1) * kBeams, plan.beam_count),
+                 scratch_[view_worker + worker], *grids_[view]);
     });
     counts_[view] = {.primary = static_cast<std::uint64_t>(plan.lattice.columns) * plan.lattice.rows,
                      .secondary = probes_[view].rays.size() + memory.counters().reflected,
@@ -198,7 +213,23 @@ void GpuBatch::read(std::span<const PingView> views) {
   });
 }
 
+// What the kernels do not compute yet.
+void GpuBatch::refuse(const FlatPlan& plan) const {
+  if (plan.model != EchoModel::kCalibrated) {
+    return;
+  }
+  if (world_.reliefs.any()) {
+    throw Error("engine gpu computes no relief of materials yet; engine cpu does");
+  }
+  if (plan.sees_through()) {
+    throw Error("engine gpu computes no materials that let sound through yet (open_share, thickness); engine cpu does");
+  }
+}
+
 void GpuBatch::insonify(std::span<const PingView> views) {
+  for (const PingView& view : views) {
+    refuse(*view.plan);
+  }
   while (pings_.size() < views.size()) {
     pings_.push_back(std::make_unique<Ping>());
   }

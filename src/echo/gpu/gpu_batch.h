@@ -17,7 +17,7 @@ namespace insonify {
 struct PingKernels {
   explicit PingKernels(gpu::Device& device);
 
-  gpu::Kernel trace_primaries, evaluate, select, deposit, count_groups, reflect;
+  gpu::Kernel trace_primaries, turn_up, evaluate, select, deposit, count_groups, reflect, mirror;
 };
 
 /// All pings of a batch are computed in one submission.
@@ -39,6 +39,7 @@ class GpuBatch final : public HostBatch {
     SamplingProbes probes;
   };
 
+  void refuse(const FlatPlan& plan) const;
   void choose_sampling(std::span<const PingView> views);
   void prepare(std::span<const PingView> views);
   void fill_jobs(std::span<const PingView> views);

@@ -10,9 +10,8 @@
 
 namespace insonify {
 
-void GpuWorld::set(const Scene& of) {
-  left_out = nullptr;
-  scene.set(of);
+void GpuWorld::set(const Scene& of, bool paper, Workers& workers) {
+  scene.set(of, paper, workers);
   reliefs.set(of, scene.origin());
   boxes.set(of, scene.origin());
   reflectivity.clear();
@@ -22,13 +21,11 @@ void GpuWorld::set(const Scene& of) {
   gpu::upload(device, reflectivity, reflectivity_on_device);
 }
 
-const EngineKind GpuEngine::kKind = {.name = "gpu",
-                                     .paper_only = true,
-                                     .make = [](Workers& workers, std::string_view device) -> std::unique_ptr<Engine> {
-                                       const char* preferred = std::getenv("INSONIFY_DEVICE");
-                                       return std::make_unique<GpuEngine>(
-                                           workers, device.empty() && preferred != nullptr ? preferred : device);
-                                     }};
+const EngineKind GpuEngine::kKind = {
+    .name = "gpu", .complete = false, .make = [](Workers& workers, std::string_view device) -> std::unique_ptr<Engine> {
+      const char* preferred = std::getenv("INSONIFY_DEVICE");
+      return std::make_unique<GpuEngine>(workers, device.empty() && preferred != nullptr ? preferred : device);
+    }};
 
 const EngineKind& gpu_kind() {
   return GpuEngine::kKind;

@@ -2,7 +2,11 @@
 
 #include "echo/gpu/gpu_plan.h"
 
+#include <algorithm>
 #include <cstring>
+#include <span>
+
+#include "echo/model/left_out.h"
 
 namespace insonify {
 namespace {
@@ -13,9 +17,9 @@ class Packer {
   explicit Packer(std::vector<std::byte>& bytes) : bytes_(bytes) {}
 
   /// @return Offset of the table.
-  template <typename Value>
-  shader::address add(const std::vector<Value>& table) {
-    const std::size_t offset = bytes_.size(), size = table.size() * sizeof(Value);
+  template <typename Values>
+  shader::address add(const Values& table) {
+    const std::size_t offset = bytes_.size(), size = table.size() * sizeof(*table.data());
     bytes_.resize(offset + size);
     if (size > 0) {
       std::memcpy(&bytes_[offset], table.data(), size);
@@ -35,6 +39,7 @@ shader::PlanTables numbers_of(const FlatPlan& plan) {
           .beams = static_cast<std::uint32_t>(plan.beam_count),
           .bins = static_cast<std::uint32_t>(plan.bin_count),
           .cone = plan.lattice.shape == BeamShape::kCone ? 1U : 0U,
+          .calibrated = plan.model == EchoModel::kCalibrated ? 1U : 0U,
           .shaped = plan.shape.model().sigmoid == Sigmoid::kNone ? 0U : 1U,
           .slope = sigmoid.slope,
           .midpoint = sigmoid.midpoint,
@@ -47,18 +52,84 @@ shader::PlanTables numbers_of(const FlatPlan& plan) {
           .first_bin_at = plan.first_bin_at,
           .middle_elevation = plan.middle_elevation,
           .beams_per_radian = plan.beams_per_radian,
-          .stagger = plan.stagger};
+          .stagger = plan.stagger,
+          .max_surfaces = static_cast<std::uint32_t>(plan.max_surfaces)};
+}
+
+// What only the calibrated model has.
+void set_calibrated(const FlatPlan& plan, shader::PlanTables& tables) {
+  tables.materials = plan.scatter.laws().nothing;
+  tables.on_top = plan.scatter.laws().on_top ? 1 : 0;
+  tables.rough_mirrors = plan.rough_mirrors ? 1 : 0;
+  tables.has_facets = plan.has_facets() ? 1 : 0;
+  tables.two_way = plan.two_way ? 1 : 0;
+  tables.sends_apart = plan.sends_apart ? 1 : 0;
+  tables.thin_per_metre = thin_per_metre(plan);
+  tables.wavelength = plan.wavelength();
+  tables.tan_low = plan.tan_low;
+  tables.tan_high = plan.tan_high;
+  tables.transmitter_length = static_cast<float>(plan.transmitter.length());
+  tables.sent_low = static_cast<float>(plan.sent_axis.low);
+  tables.sent_steps = static_cast<float>(plan.sent_axis.steps_per_radian);
+  tables.received_low = static_cast<float>(plan.received_axis.low);
+  tables.received_steps = static_cast<float>(plan.received_axis.steps_per_radian);
+  tables.sent_count = static_cast<std::uint32_t>(plan.sent_across.size());
+  tables.received_count = static_cast<std::uint32_t>(plan.received_across.size());
 }
 
 // Calls visit(address) for each address of a table.
 template <typename Visit>
 void for_each_table(shader::PlanTables& tables, const Visit& visit) {
-  for (shader::address* table :
-       {&tables.cos_azimuth, &tables.sin_azimuth, &tables.azimuth, &tables.column_width, &tables.column_measure,
-        &tables.row_set, &tables.touching, &tables.elevation, &tables.cos_t, &tables.sin_t, &tables.share,
-        &tables.interval, &tables.edges, &tables.port_edges, &tables.starboard_edges}) {
-    visit(*table);
+  for (shader::address* table : {&tables.lambert,        &tables.lobe,
+                                 &tables.steepness,      &tables.roughness,
+                                 &tables.mirrored,       &tables.by_angle,
+                                 &tables.facets,         &tables.facet_roughness,
+                                 &tables.sent_across,    &tables.received_across,
+                                 &tables.transmitted,    &tables.row_pattern,
+                                 &tables.reciprocal,     &tables.full_share,
+                                 &tables.cos_azimuth,    &tables.sin_azimuth,
+                                 &tables.azimuth,        &tables.column_width,
+                                 &tables.column_measure, &tables.row_set,
+                                 &tables.touching,       &tables.elevation,
+                                 &tables.cos_t,          &tables.sin_t,
+                                 &tables.share,          &tables.interval,
+                                 &tables.edges,          &tables.port_edges,
+                                 &tables.starboard_edges}) {
+    if (*table != 0) {
+      visit(*table);
+    }
   }
+}
+
+void add_materials(const ScatterTable& scatter, Packer& packer, shader::PlanTables& tables) {
+  const ScatterTable::Laws laws = scatter.laws();
+  const std::size_t count = laws.nothing + std::size_t{1};
+  std::vector<float> roughness(count, 0.0F);
+  for (std::uint32_t material = 0; material < laws.nothing; ++material) {
+    roughness[material] =
+        static_cast<float>(scatter.scattering(surface_label(0, static_cast<std::uint16_t>(material))).roughness);
+  }
+  tables.lambert = packer.add(std::span(laws.lambert, count));
+  tables.lobe = packer.add(std::span(laws.lobe, count));
+  tables.steepness = packer.add(std::span(laws.steepness, count));
+  tables.roughness = packer.add(roughness);
+  tables.mirrored = packer.add(std::span(laws.mirrored, count));
+  tables.facets = packer.add(std::span(laws.facets, count));
+  tables.facet_roughness = packer.add(std::span(laws.roughness, laws.nothing));
+  if (laws.by_angle != nullptr) {
+    tables.by_angle = packer.add(std::span(laws.by_angle, count * ScatterTable::kAngleStride));
+  }
+}
+
+// Of each set of rows, what makes the greatest solid angle times 1 the probability 1: share_out_energy() of the host.
+std::vector<float> full_shares(const Lattice& lattice) {
+  constexpr float kFullEnergy = 2;
+  std::vector<float> scales;
+  for (std::size_t first = 0; first < lattice.share.size(); first += static_cast<std::size_t>(lattice.rows)) {
+    const float most = *std::max_element(&lattice.share[first], &lattice.share[first] + lattice.rows);
+    scales.push_back(most > 0 ? 1 / (kFullEnergy * most) : 0);
+  }
+  return scales;
 }
 
 void pack(const FlatPlan& plan, std::vector<std::byte>& bytes) {
@@ -66,6 +137,16 @@ void pack(const FlatPlan& plan, std::vector<std::byte>& bytes) {
   Packer packer(bytes);
   const Lattice& lattice = plan.lattice;
   shader::PlanTables tables = numbers_of(plan);
+  if (plan.model == EchoModel::kCalibrated) {
+    set_calibrated(plan, tables);
+    add_materials(plan.scatter, packer, tables);
+    tables.sent_across = packer.add(plan.sent_across);
+    tables.received_across = packer.add(plan.received_across);
+    tables.transmitted = packer.add(lattice.transmitted);
+    tables.row_pattern = packer.add(lattice.row_pattern);
+    tables.reciprocal = packer.add(lattice.reciprocal);
+    tables.full_share = packer.add(full_shares(lattice));
+  }
   tables.cos_azimuth = packer.add(lattice.cos_azimuth);
   tables.sin_azimuth = packer.add(lattice.sin_azimuth);
   tables.azimuth = packer.add(lattice.azimuth);

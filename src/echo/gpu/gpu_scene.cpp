@@ -58,7 +58,8 @@ std::size_t bytes_of(const std::vector<Value>& values) {
 
 }  // namespace
 
-GpuMesh::GpuMesh(gpu::Device& device, std::shared_ptr<const Mesh> of) : mesh(std::move(of)) {
+GpuMesh::GpuMesh(gpu::Device& device, std::shared_ptr<const Mesh> of, std::shared_ptr<const MeshFaces> plane)
+    : mesh(std::move(of)) {
   std::vector<LeafBox> boxes;
   boxes.reserve(mesh->triangles.size());
   box = {Vec3f::Constant(INFINITY), Vec3f::Constant(-INFINITY)};
@@ -72,18 +73,37 @@ GpuMesh::GpuMesh(gpu::Device& device, std::shared_ptr<const Mesh> of) : mesh(std
   gpu::upload(device, mesh->triangles, corners);
   gpu::upload(device, mesh->vertices, vertices);
   gpu::upload(device, mesh->normals, normals);
+  if (plane != nullptr && !plane->faces.empty()) {
+    gpu::upload(device, plane->face_of, face_of);
+    gpu::upload(device, planes_of(*mesh, *plane), faces);
+  }
   if (!mesh->material_slots.empty()) {
     gpu::upload(device, std::vector<std::uint32_t>(mesh->material_slots.begin(), mesh->material_slots.end()), slots);
   }
 }
 
-std::size_t GpuMesh::bytes() const {
-  return nodes.bytes() + triangles.bytes() + corners.bytes() + vertices.bytes() + normals.bytes() + slots.bytes();
+// The plane faces as shaders have them.
+std::vector<shader::PlaneFace> GpuMesh::planes_of(const Mesh& mesh, const MeshFaces& plane) {
+  std::vector<shader::PlaneFace> faces;
+  for (const Face& face : plane.faces) {
+    faces.push_back({plain(mesh.vertices[face.corner]),
+                     {plain(face.axes[0]), plain(face.axes[1])},
+                     {face.middle[0], face.middle[1]},
+                     {face.half[0], face.half[1]}});
+  }
+  return faces;
 }
 
-void GpuScene::set(const Scene& scene) {
+std::size_t GpuMesh::bytes() const {
+  return nodes.bytes() + triangles.bytes() + corners.bytes() + vertices.bytes() + normals.bytes() + slots.bytes() +
+         face_of.bytes() + faces.bytes();
+}
+
+void GpuScene::set(const Scene& scene, bool paper, Workers& workers) {
   scene_ = &scene;
   ++number_;
+  left_out_.clear();
+  left_out_of_.clear();
   origin_ = scene.middle();
   mesh_of_.clear();
   first_surface_.clear();
@@ -102,7 +122,9 @@ void GpuScene::set(const Scene& scene) {
     std::unique_ptr<GpuMesh>& mesh = kept[instance.mesh.get()];
     if (mesh == nullptr) {
       std::unique_ptr<GpuMesh>& before = meshes_[instance.mesh.get()];
-      mesh = before != nullptr ? std::move(before) : std::make_unique<GpuMesh>(device_, instance.mesh);
+      mesh = before != nullptr ? std::move(before)
+                               : std::make_unique<GpuMesh>(device_, instance.mesh,
+                                                           paper ? nullptr : shared_faces(instance.mesh, workers));
     }
     mesh_of_.back() = mesh.get();
   }
@@ -122,7 +144,33 @@ shader::PlacedMesh GpuScene::placed_mesh(std::size_t instance, const Pose& world
           mesh.vertices.address(),
           mesh.normals.address(),
           mesh.slots.address(),
-          surfaces_.address() + first_surface_[instance] * sizeof(std::uint32_t)};
+          surfaces_.address() + first_surface_[instance] * sizeof(std::uint32_t),
+          instance < left_out_of_.size() ? left_out_of_[instance].first : 0,
+          instance < left_out_of_.size() ? left_out_of_[instance].second : 0,
+          mesh.face_of.address(),
+          mesh.faces.address()};
+}
+
+void GpuScene::leave_out(const LeftOut* left_out) {
+  left_out_.clear();
+  left_out_of_.assign(left_out == nullptr ? 0 : scene_->instances.size(), {});
+  ++number_;  // Placements hold the tables' addresses.
+  const auto address_of = [&](const auto& tables, std::size_t instance, auto to_upload) -> std::uint64_t {
+    if (instance >= tables.size() || tables[instance] == nullptr) {
+      return 0;
+    }
+    gpu::Buffer& buffer = left_out_[tables[instance].get()];
+    if (buffer.address() == 0) {
+      gpu::upload(device_, to_upload(*tables[instance]), buffer);
+    }
+    return buffer.address();
+  };
+  for (std::size_t i = 0; i < left_out_of_.size(); ++i) {
+    left_out_of_[i] = {address_of(left_out->thickness, i, [](const std::vector<float>& table) { return table; }),
+                       address_of(left_out->glinting, i, [](const std::vector<std::uint8_t>& table) {
+                         return std::vector<std::uint32_t>(table.begin(), table.end());
+                       })};
+  }
 }
 
 void GpuScene::place(const Placement* placement, GpuPlacement& placed) const {

@@ -9,6 +9,8 @@
 #include "echo/batch/ping_view.h"
 #include "echo/gpu/shaders/layout.h"
 #include "echo/gpu/tree.h"
+#include "echo/mirror/faces.h"
+#include "echo/model/left_out.h"
 #include "gpu/device.h"
 #include "gpu/staged.h"
 #include "insonify/scene.h"
@@ -17,12 +19,16 @@ namespace insonify {
 
 /// A mesh and its tree, in the mesh's frame.
 struct GpuMesh {
-  GpuMesh(gpu::Device& device, std::shared_ptr<const Mesh> of);
+  /// @param faces  Null for the paper's model, which has none.
+  GpuMesh(gpu::Device& device, std::shared_ptr<const Mesh> of, std::shared_ptr<const MeshFaces> faces);
 
   std::shared_ptr<const Mesh> mesh;
   LeafBox box;
-  gpu::Buffer nodes, triangles, corners, vertices, normals, slots;
+  gpu::Buffer nodes, triangles, corners, vertices, normals, slots, face_of, faces;
   [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  static std::vector<shader::PlaneFace> planes_of(const Mesh& mesh, const MeshFaces& plane);
 };
 
 /// The instances of a scene in one placement: the tree over them, and where each is.
@@ -41,7 +47,11 @@ class GpuScene {
 
   /// Uploads meshes that the device does not hold yet, and drops those that are gone. The scene must outlive this or
   /// the next call.
-  void set(const Scene& scene);
+  /// @param paper  For the paper's model alone, which needs no plane faces.
+  void set(const Scene& scene, bool paper, Workers& workers);
+
+  /// Sets the primary echoes that are left out, until the next set(). Null: none.
+  void leave_out(const LeftOut* left_out);
 
   /// Puts the instances where a placement has them; null: where the scene has them. Commands that use it must copy its
   /// buffer first; nothing is done where they are there already.
@@ -60,9 +70,11 @@ class GpuScene {
   std::uint64_t number_ = 0;  // Of calls of set().
   Vec3 origin_ = Vec3::Zero();
   std::map<const Mesh*, std::unique_ptr<GpuMesh>> meshes_;
-  std::vector<const GpuMesh*> mesh_of_;     // [instance]; null where it is not present.
-  gpu::Buffer surfaces_;                    // Of all instances, slot by slot.
-  std::vector<std::size_t> first_surface_;  // [instance]
+  std::vector<const GpuMesh*> mesh_of_;                               // [instance]; null where it is not present.
+  gpu::Buffer surfaces_;                                              // Of all instances, slot by slot.
+  std::vector<std::size_t> first_surface_;                            // [instance]
+  std::map<const void*, gpu::Buffer> left_out_;                       // By the host's table.
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> left_out_of_;  // [instance] thickness, glinting; 0: none.
 };
 
 }  // namespace insonify

@@ -7,7 +7,6 @@
 
 #include "echo/gpu/gpu_rays.h"
 #include "echo/gpu/gpu_scene.h"
-#include "echo/model/left_out.h"
 #include "echo/model/reliefs.h"
 #include "echo/rays/box_cut.h"
 #include "gpu/device.h"
@@ -18,7 +17,7 @@ struct GpuWorld {
   /// @param device  See gpu::choose_device().
   explicit GpuWorld(std::string_view wanted) : device(wanted), scene(device), rays(device) {}
 
-  void set(const Scene& of);
+  void set(const Scene& of, bool paper, Workers& workers);
   void trace(std::span<const RayRun> runs) { rays.trace(scene, reliefs, reflectivity, runs); }
 
   gpu::Device device;
@@ -28,7 +27,6 @@ struct GpuWorld {
   BoxCut boxes;
   std::vector<float> reflectivity;     // [material]
   gpu::Buffer reflectivity_on_device;  // The same.
-  std::shared_ptr<const LeftOut> left_out;
 };
 
 }  // namespace insonify

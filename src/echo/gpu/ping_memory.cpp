@@ -12,12 +12,21 @@ void PingMemory::reserve(gpu::Device& device, const PingView& view) {
   const std::size_t samples = static_cast<std::size_t>(plan.lattice.columns) * plan.lattice.rows;
   const std::size_t cells = static_cast<std::size_t>(plan.beam_count) * plan.bin_count;
   gpu::BufferLayout work;
-  samples_ = {work.take(samples * 4), work.take(samples * 4), work.take(samples * 12), work.take(samples * 4),
-              work.take(samples * 4), work.take(samples * 4), work.take(samples * 4)};
+  const bool turns = plan.model == EchoModel::kCalibrated;
+  samples_ = {.surface = work.take(samples * 4),
+              .triangle = work.take(samples * 4),
+              .range = work.take(samples * 4),
+              .normal = work.take(samples * 12),
+              .reflectivity = work.take(samples * 4),
+              .facing = work.take(samples * 4),
+              .power = work.take(samples * 4),
+              .joined = work.take(samples * 4),
+              .turn_up = work.take(turns ? samples * 12 : 0)};
   reflecting_ = work.take(samples * sizeof(shader::Reflecting));
   work_.reserve(device, work.end(), gpu::Memory::kDevice);
-  for (shader::address* part : {&samples_.surface, &samples_.range, &samples_.normal, &samples_.reflectivity,
-                                &samples_.facing, &samples_.power, &samples_.joined, &reflecting_}) {
+  for (shader::address* part :
+       {&samples_.surface, &samples_.triangle, &samples_.range, &samples_.normal, &samples_.reflectivity,
+        &samples_.facing, &samples_.power, &samples_.joined, &samples_.turn_up, &reflecting_}) {
     *part += work_.address();
   }
 

@@ -3,6 +3,7 @@
 #include "echo/gpu/read_grid.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -16,8 +17,19 @@ float real(std::int64_t fixed) {
   return static_cast<float>(static_cast<double>(fixed) * kUnit);
 }
 
-SurfaceEcho echo_of(const shader::SurfaceSum& sum) {
-  return {sum.key - 1, real(sum.energy), real(sum.moment), real(sum.square)};
+// @param scale  Of the bin, see unscaled().
+SurfaceEcho echo_of(const shader::SurfaceSum& sum, double scale) {
+  const auto scaled = [&](std::int64_t value) {
+    return static_cast<float>(static_cast<double>(value) * kUnit * scale);
+  };
+  return {sum.key - 1, scaled(sum.energy), scaled(sum.moment), scaled(sum.square)};
+}
+
+// Undoes bin_scale() of cells.glsl.
+double unscaled(const FlatPlan& plan, int bin) {
+  const double range = double{plan.first_bin_at} + (bin + 0.5) / double{plan.bins_per_metre};
+  return plan.model == EchoModel::kCalibrated ? 1 / (range * range * std::exp(4 * double{plan.neper_per_metre} * range))
+                                              : 1.0;
 }
 
 // Bins of a beam that hold anything.
@@ -55,9 +67,9 @@ std::span<const shader::SurfaceSum> surfaces_of_list(const shader::SurfaceSum* s
 }
 
 // Fills a cell's label, and adds what further surfaces it has.
-void fill_label(std::span<const shader::SurfaceSum> surfaces, int beam, int bin, const EchoGrid::Cells& cells, int at,
-                EchoGrid& grid) {
-  const SurfaceEcho one = echo_of(surfaces.front());
+void fill_label(std::span<const shader::SurfaceSum> surfaces, double scale, int beam, int bin,
+                const EchoGrid::Cells& cells, int at, EchoGrid& grid) {
+  const SurfaceEcho one = echo_of(surfaces.front(), scale);
   cells.surface[at] = one.surface;
   cells.surface_energy[at] = one.energy;
   cells.elevation_moment[at] = one.elevation_moment;
@@ -65,14 +77,14 @@ void fill_label(std::span<const shader::SurfaceSum> surfaces, int beam, int bin,
     cells.elevation_square[at] = one.elevation_square;
   }
   for (const shader::SurfaceSum& further : surfaces.subspan(1)) {
-    grid.add_further(beam, bin, echo_of(further));
+    grid.add_further(beam, bin, echo_of(further, scale));
   }
 }
 
 }  // namespace
 
-void read_beams(const PingMemory& memory, int first_beam, int last_beam, std::vector<shader::SurfaceSum>& scratch,
-                EchoGrid& grid) {
+void read_beams(const PingMemory& memory, const FlatPlan& plan, int first_beam, int last_beam,
+                std::vector<shader::SurfaceSum>& scratch, EchoGrid& grid) {
   const int bins = grid.bin_count();
   const std::size_t cells = static_cast<std::size_t>(grid.beam_count()) * bins;
   grid.clear(first_beam, last_beam);
@@ -87,12 +99,13 @@ void read_beams(const PingMemory& memory, int first_beam, int last_beam, std::ve
       const EchoGrid::Cells to = grid.to_fill(order, beam, used);
       const std::size_t from = (order - 1) * cells + start + used.first;
       for (int i = 0; i < used.last - used.first; ++i) {
-        to.energy[i] = real(memory.energy()[from + i]);
+        const double scale = unscaled(plan, used.first + i);
+        to.energy[i] = static_cast<float>(static_cast<double>(memory.energy()[from + i]) * kUnit * scale);
         to.weight[i] = real(memory.weight()[from + i]);
         const std::uint32_t surface =
             grid.labelled() && order == 1 ? memory.first_surface()[start + used.first + i] : 0;
         if (surface != 0) {
-          fill_label(surfaces_of_list(memory.surfaces(), surface, scratch), beam, used.first + i, to, i, grid);
+          fill_label(surfaces_of_list(memory.surfaces(), surface, scratch), scale, beam, used.first + i, to, i, grid);
         }
       }
     }

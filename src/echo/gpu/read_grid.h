@@ -11,7 +11,7 @@ namespace insonify {
 
 /// Fills beams [first, last) of a grid that holds an earlier ping.
 /// @param scratch  Of the calling thread.
-void read_beams(const PingMemory& memory, int first_beam, int last_beam, std::vector<shader::SurfaceSum>& scratch,
-                EchoGrid& grid);
+void read_beams(const PingMemory& memory, const FlatPlan& plan, int first_beam, int last_beam,
+                std::vector<shader::SurfaceSum>& scratch, EchoGrid& grid);
 
 }  // namespace insonify

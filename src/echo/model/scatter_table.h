@@ -79,6 +79,9 @@ class ScatterTable : private ScatterNumbers {
   /// The tables by material, for loops. Index `nothing` holds zeros, for samples without a hit.
   struct Laws {
     std::uint32_t nothing;
+    bool on_top;             ///< See ScatterNumbers.
+    const float* mirrored;   ///< ScatterTable::mirrored() where no law depends on the angle.
+    const float* roughness;  ///< ScatterTable::roughness(); not at `nothing`.
     const float* lambert;    ///< Scatterer
     const float* lobe;       ///< The same.
     const float* steepness;  ///< The same.
@@ -94,7 +97,8 @@ class ScatterTable : private ScatterNumbers {
     }
   };
   [[nodiscard]] Laws laws() const {
-    return {nothing,           lambert_.data(), lobe_.data(),
+    return {nothing,           any_on_top,      mirrored_.data(),
+            roughness_.data(), lambert_.data(), lobe_.data(),
             steepness_.data(), facets_.data(),  by_angle_.empty() ? nullptr : by_angle_.data()};
   }
 

@@ -41,10 +41,18 @@ uint sums_of_surface(Cells cells, uint cell, uint surface) {
   }
 }
 
+// What energies of a bin are multiplied by before they become whole numbers: in the calibrated model they fall by
+// spreading and absorption, over more than a hundred decibels. read_grid.cpp undoes it.
+float bin_scale(PlanTables plan, uint bin) {
+  const float range = plan.first_bin_at + (float(bin) + 0.5) / plan.bins_per_metre;
+  return plan.calibrated != 0 ? range * range * exp(4.0 * plan.neper_per_metre * range) : 1.0;
+}
+
 // Adds an echo to a cell.
-void add_to_cell(PlanTables plan, Cells cells, uint order, uint cell, float energy, float weight, float elevation,
-                 uint surface) {
-  const uint of_order = (order - 1) * plan.beams * plan.bins + cell;
+void add_to_cell(PlanTables plan, Cells cells, uint order, uint beam, uint bin, float power, float weight,
+                 float elevation, uint surface) {
+  const uint cell = beam * plan.bins + bin, of_order = (order - 1) * plan.beams * plan.bins + cell;
+  const float energy = weight * power * bin_scale(plan, bin);
   atomicAdd(Sums(cells.energy).at[of_order], fixed_point(energy));
   atomicAdd(Sums(cells.weight).at[of_order], fixed_point(weight));
   const uint at = cells.labelled != 0 ? sums_of_surface(cells, cell, surface) : cells.most_surfaces;
@@ -65,8 +73,8 @@ void add_segment(PlanTables plan, Cells cells, uint order, uint beam, FootprintS
     const float from = max(float(bin), segment.low), to = min(float(bin) + 1.0, segment.high);
     const float weight = max(to - from, 0.0) * segment.density;
     if (weight > 0.0) {
-      add_to_cell(plan, cells, order, beam * plan.bins + bin, weight * (segment.power + (from + to) * segment.half_rise),
-                  weight, segment.elevation, surface);
+      add_to_cell(plan, cells, order, beam, bin, segment.power + (from + to) * segment.half_rise, weight,
+                  segment.elevation, surface);
     }
   }
 }

@@ -4,8 +4,34 @@
 
 #extension GL_GOOGLE_include_directive : require
 #include "ping.glsl"
+#include "materials.glsl"
+#include "turns.glsl"
 
 layout(local_size_x = 64) in;
+
+// ScatterTable::fill_powers() and leave_out() of the host.
+float calibrated_power(PingAt ping, PlanTables plan, uint column, uint row, vec3 direction, float facing) {
+  const uint at = column * plan.rows + row, surface = Uints(ping.samples.surface).at[at];
+  const uint material = material_of(plan, surface);
+  const Scatterer own = scatterer_of(plan, material);
+  const vec3 normal = Vectors(ping.samples.normal).at[at], up = Vectors(ping.samples.turn_up).at[at];
+  const float range = Floats(ping.samples.range).at[at];
+  const TurnProducts turns =
+      turn_products(up, turn_side(ping, plan, column, row, normal, up), direction, normal);
+  const float glint = widened_glint_of(own, facing, widen_lobe(turns, facing, own.steepness));
+  const float on_top = plan.on_top != 0 ? at_angle(plan, material, kBackscatter, abs(facing)) : 0.0;
+  float power = primary_intensity(own.lambert, glint, on_top, facing, plan.neper_per_metre, range);
+  const PlacedMesh placed = PlacedMeshes(PlacedSceneAt(ping.scene).scene.instances).at[surface >> 16];
+  const uint triangle = Uints(ping.samples.triangle).at[at];
+  if (placed.glinting != 0 && Uints(placed.glinting).at[triangle] != 0) {
+    const float coherence =
+        plan.rough_mirrors != 0 ? 0.0 : coherent_share(Floats(plan.roughness).at[material], abs(facing));
+    power = without_coherent_glint(power, own, coherence, facing, plan.neper_per_metre, range);
+  }
+  const bool thin =
+      placed.thickness != 0 && Floats(placed.thickness).at[triangle] < plan.thin_per_metre * range;
+  return thin ? 0.0 : power;
+}
 
 void main() {
   const PingAt ping = Pings(job.pings).at[job.first + gl_WorkGroupID.y];
@@ -31,9 +57,11 @@ void main() {
     joined = unbroken(range, facing, dot(normal, above), Floats(ping.samples.range).at[at + 1], dot(normal_above, above),
                       dot(normal_above, direction), 1.0 / plan.bins_per_metre);
   }
-  const float strength =
-      paper_strength(facing, Floats(ping.samples.reflectivity).at[at], 2.0 * plan.neper_per_metre, range);
   Floats(ping.samples.facing).at[at] = facing;
-  Floats(ping.samples.power).at[at] = shaped(plan, strength);
+  Floats(ping.samples.power).at[at] =
+      plan.calibrated != 0
+          ? calibrated_power(ping, plan, column, row, direction, facing)
+          : shaped(plan, paper_strength(facing, Floats(ping.samples.reflectivity).at[at], 2.0 * plan.neper_per_metre,
+                                        range));
   Uints(ping.samples.joined).at[at] = joined ? 1 : 0;
 }

@@ -58,6 +58,17 @@ struct PlacedMesh {
   address normals;    ///< vec3[]
   address slots;      ///< uint[triangle]; 0: all are slot 0.
   address surfaces;   ///< uint[slot], SurfaceLabel.
+  address thickness;  ///< float[triangle], see LeftOut; 0: none is thin.
+  address glinting;   ///< uint[triangle], see LeftOut; 0: none glints.
+  address face_of;    ///< uint[triangle], see MeshFaces; 0: all is curved.
+  address faces;      ///< PlaneFace[]
+};
+
+/// A Face of the host, in the mesh frame.
+struct PlaneFace {
+  vec3 corner;
+  vec3 axes[2];
+  float middle[2], half_length[2];
 };
 
 /// A scene as it is at one ping.
@@ -93,10 +104,31 @@ struct TraceRays {
 struct PlanTables {
   uint columns, rows, columns_per_beam, beams, bins;
   uint cone;                             ///< 1 for BeamShape::kCone, 0 for kWedge.
+  uint calibrated;                       ///< 1 for EchoModel::kCalibrated, 0 for kPaper.
   uint shaped;                           ///< `paper`: whether strengths go through the sigmoid.
   float slope, midpoint, scale, offset;  ///< `paper`: of the sigmoid.
   float neper_per_metre, true_max_range, reach, bins_per_metre, first_bin_at, middle_elevation, beams_per_radian;
   uint stagger;
+  // `calibrated`:
+  uint materials;      ///< Index of the zeros at the end of each table of materials.
+  uint on_top;         ///< Whether any AngularScattering::backscatter is not 0.
+  uint rough_mirrors;  ///< As in PlanNumbers.
+  uint has_facets;     ///< FlatPlan::has_facets()
+  uint max_surfaces, two_way, sends_apart;
+  float thin_per_metre, wavelength, tan_low, tan_high;
+  float transmitter_length;                                  ///< Of FanPattern [wavelengths]; 0: flat.
+  float sent_low, sent_steps, received_low, received_steps;  ///< PatternAxis
+  uint sent_count, received_count;                           ///< Values of the tables across elevations.
+  address sent_across, received_across;                      ///< float[count]
+  address lambert, lobe, steepness;                          ///< float[material], see Scatterer.
+  address facets;                                            ///< float[material], 1 / (8 pi s^2).
+  address roughness;                                         ///< float[material], Scattering::roughness.
+  address facet_roughness;                                   ///< float[material], ScatterTable::roughness().
+  address mirrored;                                          ///< float[material], ScatterTable::mirrored().
+  address by_angle;                                          ///< float[material][kAngleStride]; 0: none.
+  address transmitted;                                       ///< float[column]
+  address row_pattern, reciprocal;                           ///< float[set][row]
+  address full_share;                                        ///< float[set], see share_out_energy().
   address cos_azimuth, sin_azimuth, azimuth, column_width, column_measure;  ///< float[column]
   address row_set, touching;                                                ///< uint[column]
   address elevation, cos_t, sin_t, share;                                   ///< float[set][row]
@@ -108,12 +140,14 @@ struct PlanTables {
 /// Values of every sample of a ping, [column][row].
 struct Samples {
   address surface;       ///< uint, SurfaceLabel
+  address triangle;      ///< uint, in the mesh.
   address range;         ///< float
   address normal;        ///< vec3, unit length.
   address reflectivity;  ///< float
   address facing;        ///< float, see HitColumn.
   address power;         ///< float, see HitColumn.
   address joined;        ///< uint, see FootprintSegments: with the sample above.
+  address turn_up;       ///< `calibrated`: vec3, see HitColumn::turn_up_x.
 };
 
 /// The sums of a ping, in fixed point: see cells.glsl.

@@ -4,24 +4,9 @@
 #extension GL_GOOGLE_include_directive : require
 #include "ping.glsl"
 #include "cells.glsl"
+#include "mirrors.glsl"
 
 layout(local_size_x = 64) in;
-
-const float kRayClearance = 1e-3;  // As in hit.h.
-
-MirrorSample sample_at(PingAt ping, PlanTables plan, uint column, uint row) {
-  const uint at = column * plan.rows + row;
-  return mirror_sample(direction_of(plan, axes_of(ping, plan, column), column, row), Vectors(ping.samples.normal).at[at],
-                       Floats(ping.samples.range).at[at]);
-}
-
-// Change to a neighbour on the same surface; none where there is no such neighbour.
-MirrorChange change_to(PingAt ping, PlanTables plan, MirrorSample here, uint surface, bool exists, uint column, uint row) {
-  if (!exists || Uints(ping.samples.surface).at[column * plan.rows + row] != surface) {
-    return mirror_change(here, here);
-  }
-  return mirror_change(here, sample_at(ping, plan, column, row));
-}
 
 void main() {
   const PingAt ping = Pings(job.pings).at[job.first + gl_WorkGroupID.y];
@@ -54,12 +39,8 @@ void main() {
     return;
   }
   const vec3 normal = unit(second.normal);
-  const bool below = from.row + 1 < plan.rows && Uints(ping.samples.surface).at[at + 1] == surface;
-  const MirrorChange above = change_to(ping, plan, mirror, surface, below || from.row > 0, from.column,
-                                       below ? from.row + 1 : from.row - 1);
-  const uint other = from.column ^ 1u, lower = min(from.column, other);
-  const bool beside = other < plan.columns && Uints(plan.touching).at[lower] != 0;
-  const MirrorChange aside = change_to(ping, plan, mirror, surface, beside, other, from.row);
+  const MirrorChange above = change_along(ping, plan, mirror, surface, from.column, from.row);
+  const MirrorChange aside = change_aside(ping, plan, mirror, surface, from.column, from.row);
   const PathFootprint footprint = path_footprint(
       above, from.selected, aside, PathEnd(hit.distance, mirror.reflected, normal, -back, there, distance));
   const uint in_rows = in_set(plan, from.column, from.row);

@@ -3,6 +3,7 @@
 
 #extension GL_GOOGLE_include_directive : require
 #include "ping.glsl"
+#include "materials.glsl"
 
 // From one column to the next the start of the sum advances by the golden section; the sum restarts after some rows.
 const uint kGoldenTurn = 2654435769u, kSelectionRows = 64;
@@ -24,8 +25,15 @@ void main() {
     const bool met = Uints(ping.samples.surface).at[at] != kNoSurface;
     float selected = met ? 1.0 : 0.0;
     if (ping.sampling == kSampleSome) {
-      const float share =
-          met ? paper_share(Floats(ping.samples.facing).at[at], Floats(ping.samples.reflectivity).at[at]) : 0.0;
+      const float facing = Floats(ping.samples.facing).at[at];
+      float share = 0.0;
+      if (met && plan.calibrated != 0) {
+        const uint set = Uints(plan.row_set).at[column];
+        share = calibrated_share(mirrored(plan, material_of(plan, Uints(ping.samples.surface).at[at]), facing),
+                                 Floats(plan.share).at[set * plan.rows + row], Floats(plan.full_share).at[set]);
+      } else if (met) {
+        share = paper_share(facing, Floats(ping.samples.reflectivity).at[at]);
+      }
       sum += share_in_turns(share);
       selected = selected_weight(share, sum);
     }

@@ -25,6 +25,7 @@ void main() {
   const bool met = hit.instance != kNoInstance;
   const uint at = column * plan.rows + row;
   Uints(ping.samples.surface).at[at] = surface.label;
+  Uints(ping.samples.triangle).at[at] = surface.triangle;
   Floats(ping.samples.range).at[at] = met ? hit.distance : 0.0;
   Vectors(ping.samples.normal).at[at] = unit(surface.normal);
   Floats(ping.samples.reflectivity).at[at] = met ? Floats(ping.reflectivity).at[surface.label & 0xffffu] : 0.0;

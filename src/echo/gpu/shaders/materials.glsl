@@ -1,0 +1,26 @@
+// materials.glsl -- what the surfaces of the calibrated model scatter and reflect: ScatterTable of the host.
+
+// As in ScatterTable.
+const uint kAngleSteps = 512, kAngleNodes = kAngleSteps + 2, kReflectance = 0, kBackscatter = kAngleNodes,
+           kDiffuse = 2 * kAngleNodes, kMirrored = 3 * kAngleNodes, kAngleStride = 4 * kAngleNodes;
+
+uint material_of(PlanTables plan, uint surface) {
+  return min(surface & 0xffffu, plan.materials);
+}
+
+Scatterer scatterer_of(PlanTables plan, uint material) {
+  return Scatterer(Floats(plan.lambert).at[material], Floats(plan.lobe).at[material],
+                   Floats(plan.steepness).at[material]);
+}
+
+float at_angle(PlanTables plan, uint material, uint table, float cosine) {
+  const float place = float(kAngleSteps) * sqrt(clamp(1.0 - cosine, 0.0, 1.0));
+  const uint node = uint(place), at = kAngleStride * material + table + node;
+  const float here = Floats(plan.by_angle).at[at];
+  return here + (place - float(node)) * (Floats(plan.by_angle).at[at + 1] - here);
+}
+
+// Share of the intensity that a surface reflects as a mirror.
+float mirrored(PlanTables plan, uint material, float cosine) {
+  return plan.by_angle == 0 ? Floats(plan.mirrored).at[material] : at_angle(plan, material, kMirrored, abs(cosine));
+}
