@@ -65,6 +65,11 @@ TEST_F(GpuEngineTest, WhatItDoesNotComputeIsRefusedByName) {
         [&] { (void)echoes_of("gpu", scene, {.model = EchoModel::kCalibrated, .materials = scene.materials}); });
   };
   EXPECT_EQ(refused(), "no error");
+  scene.instances[0].reliefs = {std::make_shared<const Relief>(Relief{.slopes = {1, 1, {Eigen::Vector2f(0.1F, 0)}}})};
+  EXPECT_EQ(refused(), "engine gpu computes no relief of materials yet; engine cpu does");
+  EXPECT_EQ(message_of([&] { (void)echoes_of("gpu", scene, {}); }),
+            "engine gpu computes no relief of materials yet; engine cpu does");
+  scene.instances[0].reliefs.clear();
   scene.materials[0].open_share = 0.5;
   EXPECT_EQ(refused(),
             "engine gpu computes no materials that let sound through yet (open_share, thickness); engine cpu does");

@@ -39,6 +39,22 @@ constexpr std::uint32_t kReflect[] = {
 
 constexpr std::uint32_t kTile = 8, kSelectionRows = 64;  // As in the shaders.
 
+// Groups of each step, of the view that needs most.
+struct GroupCounts {
+  std::uint32_t tiles = 0, samples = 0, intervals = 0, blocks = 0;
+
+  explicit GroupCounts(std::span<const PingView> views) {
+    for (const PingView& view : views) {
+      const auto columns = static_cast<std::uint32_t>(view.plan->lattice.columns),
+                 rows = static_cast<std::uint32_t>(view.plan->lattice.rows);
+      tiles = std::max(tiles, groups_for(columns, kTile) * groups_for(rows, kTile));
+      samples = std::max(samples, groups_for(columns * rows));
+      intervals = std::max(intervals, groups_for(columns * (rows + 1)));
+      blocks = std::max(blocks, groups_for(columns * groups_for(rows, kSelectionRows)));
+    }
+  }
+};
+
 }  // namespace
 
 PingKernels::PingKernels(gpu::Device& device)
@@ -116,15 +132,7 @@ void GpuBatch::fill_jobs(std::span<const PingView> views) {
 }
 
 void GpuBatch::record(std::span<const PingView> views) {
-  std::uint32_t tiles = 0, samples = 0, intervals = 0, blocks = 0;
-  for (const PingView& view : views) {
-    const auto columns = static_cast<std::uint32_t>(view.plan->lattice.columns),
-               rows = static_cast<std::uint32_t>(view.plan->lattice.rows);
-    tiles = std::max(tiles, groups_for(columns, kTile) * groups_for(rows, kTile));
-    samples = std::max(samples, columns * rows);
-    intervals = std::max(intervals, columns * (rows + 1));
-    blocks = std::max(blocks, columns * groups_for(rows, kSelectionRows));
-  }
+  const GroupCounts groups(views);
   const auto count = static_cast<std::uint32_t>(views.size());
   const shader::PingJob all = {jobs_.address(), 0, gpu::Commands::most_groups};
   const auto finish_step = [&] {
@@ -140,18 +148,18 @@ void GpuBatch::record(std::span<const PingView> views) {
   }
   jobs_.copy(commands_);
   finish_step();
-  commands_.run(kernels_.trace_primaries, all, tiles, count);
+  commands_.run(kernels_.trace_primaries, all, groups.tiles, count);
   finish_step();
   const bool calibrated = views.front().plan->model == EchoModel::kCalibrated;
   if (calibrated) {
-    commands_.run(kernels_.turn_up, all, groups_for(samples), count);
+    commands_.run(kernels_.turn_up, all, groups.samples, count);
     commands_.wait_for_writes();
   }
-  commands_.run(kernels_.evaluate, all, groups_for(samples), count);
+  commands_.run(kernels_.evaluate, all, groups.samples, count);
   finish_step();
-  commands_.run(kernels_.select, all, groups_for(blocks), count);
+  commands_.run(kernels_.select, all, groups.blocks, count);
   finish_step();
-  commands_.run(kernels_.deposit, all, groups_for(intervals), count);
+  commands_.run(kernels_.deposit, all, groups.intervals, count);
   commands_.run(kernels_.count_groups, all, 1, count);
   finish_step();
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -215,9 +223,6 @@ void GpuBatch::read(std::span<const PingView> views) {
 
 // What the kernels do not compute yet.
 void GpuBatch::refuse(const FlatPlan& plan) const {
-  if (plan.model != EchoModel::kCalibrated) {
-    return;
-  }
   if (world_.reliefs.any()) {
     throw Error("engine gpu computes no relief of materials yet; engine cpu does");
   }
