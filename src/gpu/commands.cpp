@@ -128,6 +128,7 @@ void Commands::submit() {
   device_.check(vulkan.ResetFences(device_.handle(), 1, &done_), "cannot start a computation");
   device_.check(vulkan.QueueSubmit(device_.queue(), 1, &work, done_), "cannot start a computation");
   submitted_ = true;
+  ++submissions;
 }
 
 void Commands::wait() {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
+#include <cstdint>
 #include <cstring>
 #include <memory>
 #include <span>
@@ -42,7 +44,7 @@ class Device {
   [[nodiscard]] VkCommandPool pool() const { return pool_; }
   [[nodiscard]] VkPipelineLayout layout() const { return layout_; }
   [[nodiscard]] double seconds_per_tick() const { return seconds_per_tick_; }
-  [[nodiscard]] std::size_t bytes() const { return bytes_; }  ///< Of all buffers.
+  [[nodiscard]] std::size_t bytes() const { return bytes_; }  ///< Size of all buffers together.
 
   /// Throws what a result means.
   /// @param what  What was tried, as in "cannot start a computation".
@@ -166,6 +168,9 @@ class Commands {
   /// Notes the time at which everything before has finished; at most kMostStamps.
   void stamp();
   static constexpr std::uint32_t kMostStamps = 64;
+
+  /// Calls of submit() so far, of the whole process. Tests count them.
+  static inline std::atomic<std::uint64_t> submissions = 0;
 
   void submit();
   /// Waits until everything submitted has finished; then the host sees it.

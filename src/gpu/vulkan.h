@@ -64,7 +64,7 @@ struct Vulkan {
   INSONIFY_VULKAN_OF_LOADER(INSONIFY_VULKAN_FUNCTION)
   INSONIFY_VULKAN_OF_INSTANCE(INSONIFY_VULKAN_FUNCTION)
   INSONIFY_VULKAN_OF_DEVICE(INSONIFY_VULKAN_FUNCTION)
-  // Of VK_EXT_debug_utils; null where nothing validates.
+  // Functions of VK_EXT_debug_utils; null where nothing validates.
   INSONIFY_VULKAN_FUNCTION(CreateDebugUtilsMessengerEXT)
   INSONIFY_VULKAN_FUNCTION(DestroyDebugUtilsMessengerEXT)
 #undef INSONIFY_VULKAN_FUNCTION

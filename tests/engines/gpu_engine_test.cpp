@@ -5,6 +5,8 @@
 #include <thread>
 #include <utility>
 
+#include "echo/gpu/gpu_plan.h"
+#include "echo/gpu/read_grid.h"
 #include "engines/random_scene.h"
 #include "gpu/device.h"
 #include "support/message_of.h"
@@ -124,6 +126,103 @@ TEST_F(GpuEngineTest, ListsOfSurfacesGrow) {
   }
 }
 
+// Two invocations that both find a surface missing in a list both add it.
+TEST(SurfaceListTest, SumsOfASurfaceThatIsListedTwiceAreAdded) {
+  const shader::SurfaceSum sums[] = {{.key = 7, .next = 3, .energy = 10, .moment = -4, .square = 2},
+                                     {.key = 9, .next = 0, .energy = 99, .moment = 99, .square = 99},
+                                     {.key = 5, .next = 4, .energy = 20, .moment = 6, .square = 3},
+                                     {.key = 7, .next = 0, .energy = 30, .moment = 1, .square = 5}};
+  std::vector<shader::SurfaceSum> found;
+  const std::span<const shader::SurfaceSum> merged = surfaces_of_list(sums, 1, found);
+  ASSERT_EQ(merged.size(), 2U);
+  EXPECT_EQ(merged[0].key, 5U);
+  EXPECT_EQ(merged[0].energy, 20);
+  EXPECT_EQ(merged[0].moment, 6);
+  EXPECT_EQ(merged[0].square, 3);
+  EXPECT_EQ(merged[1].key, 7U);
+  EXPECT_EQ(merged[1].energy, 10 + 30);
+  EXPECT_EQ(merged[1].moment, -4 + 1);
+  EXPECT_EQ(merged[1].square, 2 + 5);
+  const std::span<const shader::SurfaceSum> one = surfaces_of_list(sums, 2, found);
+  ASSERT_EQ(one.size(), 1U);
+  EXPECT_EQ(one[0].key, 9U);
+  EXPECT_EQ(one[0].energy, 99);
+}
+
+// 200 rows are three blocks of kSelectionRows and one of eight rows, in each of which the sum of probabilities starts
+// again.
+TEST_F(GpuEngineTest, LongColumnsReflectTheRaysThatCpuReflects) {
+  constexpr double kRounding = 1e-3;
+  const Scene scene = SceneMaker().add_floor(-3).add_wall(11).add_sphere({8, 0.5, -1}, 1).scene();
+  SonarConfig sonar;
+  sonar.beam_count = 24;
+  sonar.bin_count = 150;
+  sonar.max_range = 15;
+  sonar.azimuth_aperture = 60 * kDegree;
+  sonar.elevation_aperture = 40 * kDegree;
+  sonar.sampling = {.columns_per_beam = 2, .rows = 200};
+  ASSERT_GT(*sonar.sampling.rows, 3 * kSelectionRows);
+  for (const EchoModel model : {EchoModel::kPaper, EchoModel::kCalibrated}) {
+    const FlatPlanSettings settings{.sonar = sonar, .model = model, .materials = scene.materials};
+    const EchoGrid cpu = echoes_of("cpu", scene, settings), gpu = echoes_of("gpu", scene, settings);
+    EXPECT_GT(total(cpu, 2), 0);
+    EXPECT_LE(difference(cpu, gpu, 1), kRounding);
+    EXPECT_LE(difference(cpu, gpu, 2), kRounding);
+  }
+}
+
+// Over 60 m of water that absorbs 2.6 dB/m each way, echoes fall by 310 dB, which is more than single precision spans.
+TEST_F(GpuEngineTest, SumsAreExactWhereNothingIsLeftOfEchoes) {
+  constexpr double kRounding = 1e-4;
+  const Scene scene = SceneMaker().add_floor(-3).add_wall(20).scene();
+  SonarConfig sonar;
+  sonar.frequency = 3e6;
+  sonar.beam_count = 8;
+  sonar.bin_count = 200;
+  sonar.max_range = 60;
+  sonar.azimuth_aperture = 60 * kDegree;
+  sonar.elevation_aperture = 40 * kDegree;
+  sonar.sampling = {.columns_per_beam = 2, .rows = 60};
+  const FlatPlanSettings settings{.sonar = sonar,
+                                  .model = EchoModel::kCalibrated,
+                                  .materials = scene.materials,
+                                  .secondary = SecondaryEchoes::kNone};
+  const std::vector<float> scales = bin_scales(*make_flat_plan(settings));
+  EXPECT_TRUE(std::ranges::all_of(scales, [](float scale) { return std::isfinite(scale); }));
+  EXPECT_GT(scales.back(), 1e30F);
+  const EchoGrid cpu = echoes_of("cpu", scene, settings), gpu = echoes_of("gpu", scene, settings);
+  for (int beam = 0; beam < sonar.beam_count; ++beam) {
+    for (int bin = 0; bin < sonar.bin_count; ++bin) {
+      const float expected = cpu.energy(1, beam)[bin];
+      EXPECT_NEAR(gpu.energy(1, beam)[bin], expected, 0.05F * expected) << beam << ' ' << bin;
+    }
+  }
+  EXPECT_LE(difference(cpu, gpu, 1), kRounding);
+}
+
+TEST_F(GpuEngineTest, StepsAreNamedAfterTheirShaders) {
+  SonarConfig sonar;
+  sonar.beam_count = 8;
+  const auto steps_of = [&](EchoModel model) {
+    Scenario scenario = quiet_scenario(sonar);
+    scenario.engine = "gpu";
+    scenario.model = model;
+    Simulator simulator(scenario, SceneMaker().add_floor(-3).scene(), 1);
+    (void)simulator.ping(0, PingRequest());
+    std::vector<std::string_view> names;
+    for (const StepTime& step : simulator.step_times()) {
+      EXPECT_GE(step.seconds, 0);
+      names.push_back(step.step);
+    }
+    return names;
+  };
+  EXPECT_EQ(steps_of(EchoModel::kPaper), (std::vector<std::string_view>{"clear", "trace_primaries", "evaluate",
+                                                                        "select", "deposit", "reflect", "copy"}));
+  EXPECT_EQ(steps_of(EchoModel::kCalibrated),
+            (std::vector<std::string_view>{"clear", "trace_primaries", "turn_up", "evaluate", "select", "deposit",
+                                           "mirror", "copy"}));
+}
+
 // As with more samples than the groups of one row have invocations.
 TEST_F(GpuEngineTest, LongDispatchesHaveSeveralRowsOfGroups) {
   const RandomScene random(4);
@@ -134,6 +233,27 @@ TEST_F(GpuEngineTest, LongDispatchesHaveSeveralRowsOfGroups) {
   gpu::Commands::most_groups = before;
   EXPECT_GT(total(expected, 2), 0);
   expect_same_bytes(in_rows, expected);
+}
+
+// Memory that is copied to a device and back, on a new device each time.
+TEST_F(GpuEngineTest, DevicesComeAndGo) {
+  const std::vector<std::uint32_t> values = {3, 1, 4, 1, 5, 9, 2, 6};
+  for (int turn = 0; turn < 20; ++turn) {
+    gpu::Device device(std::getenv("INSONIFY_DEVICE"));
+    {
+      gpu::Buffer there;
+      gpu::upload(device, values, there);
+      const gpu::Buffer back(device, there.bytes(), gpu::Memory::kToHost);
+      gpu::Commands commands(device);
+      commands.begin();
+      commands.copy(there, 0, back, 0, there.bytes());
+      commands.submit();
+      commands.wait();
+      EXPECT_TRUE(std::ranges::equal(values, std::span(back.data<std::uint32_t>(), values.size())));
+      EXPECT_EQ(device.bytes(), there.bytes() + back.bytes());
+    }
+    EXPECT_EQ(device.bytes(), 0U);
+  }
 }
 
 TEST_F(GpuEngineTest, EnginesComeAndGoInSeveralThreads) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include "echo/gpu/read_grid.h"
 #include "echo/gpu/shader_values.h"
@@ -37,9 +38,11 @@ constexpr std::uint32_t kReflect[] = {
 #include "shaders/reflect.inc"
 };
 
-constexpr std::uint32_t kTile = 8, kSelectionRows = 64;  // As in the shaders.
+static_assert(shader::kSampleNone == static_cast<std::uint32_t>(SecondarySampling::kNone) &&
+              shader::kSampleSome == static_cast<std::uint32_t>(SecondarySampling::kSome) &&
+              shader::kSampleAll == static_cast<std::uint32_t>(SecondarySampling::kAll));
 
-// Groups of each step, of the view that needs most.
+// Groups of each step for the view that needs most.
 struct GroupCounts {
   std::uint32_t tiles = 0, samples = 0, intervals = 0, blocks = 0;
 
@@ -47,7 +50,7 @@ struct GroupCounts {
     for (const PingView& view : views) {
       const auto columns = static_cast<std::uint32_t>(view.plan->lattice.columns),
                  rows = static_cast<std::uint32_t>(view.plan->lattice.rows);
-      tiles = std::max(tiles, groups_for(columns, kTile) * groups_for(rows, kTile));
+      tiles = std::max(tiles, groups_for(columns, shader::kTile) * groups_for(rows, shader::kTile));
       samples = std::max(samples, groups_for(columns * rows));
       intervals = std::max(intervals, groups_for(columns * (rows + 1)));
       blocks = std::max(blocks, groups_for(columns * groups_for(rows, kSelectionRows)));
@@ -100,23 +103,38 @@ void GpuBatch::choose_sampling(std::span<const PingView> views) {
   }
 }
 
+// Each plan is on the device once, however many views have it.
+void GpuBatch::set_plans(std::span<const PingView> views) {
+  constexpr std::size_t kMostPlans = 64;  // Where there are more, most belong to sonars that are gone.
+  std::map<const FlatPlan*, GpuPlan> others = std::exchange(plans_, {});
+  for (const PingView& view : views) {
+    if (!plans_.contains(view.plan)) {
+      plans_.insert(others.extract(view.plan));
+      plans_[view.plan].set(world_.device, *view.plan);
+    }
+  }
+  if (plans_.size() + others.size() <= kMostPlans) {
+    plans_.merge(others);
+  }
+}
+
 void GpuBatch::prepare(std::span<const PingView> views) {
+  set_plans(views);
   for (std::size_t i = 0; i < views.size(); ++i) {
     Ping& ping = *pings_[i];
-    ping.plan.set(world_.device, *views[i].plan);
     world_.scene.place(views[i].placement, ping.placement);
     ping.memory.reserve(world_.device, views[i]);
   }
 }
 
-// What the kernels find of each ping.
+// Fills in where the kernels find what belongs to each ping.
 void GpuBatch::fill_jobs(std::span<const PingView> views) {
   std::byte* to = jobs_.refill(world_.device, views.size() * sizeof(shader::PingAt));
   for (std::size_t i = 0; i < views.size(); ++i, to += sizeof(shader::PingAt)) {
     const Ping& ping = *pings_[i];
     const Pose& pose = views[i].world_from_sonar;
     const Eigen::Matrix3d axes = pose.orientation.toRotationMatrix();
-    const shader::PingAt job = {.plan = ping.plan.address(),
+    const shader::PingAt job = {.plan = plans_.at(views[i].plan).address(),
                                 .scene = ping.placement.address(),
                                 .reflectivity = world_.reflectivity_on_device.address(),
                                 .sonar = plain(pose.position - world_.scene.origin()),
@@ -135,55 +153,57 @@ void GpuBatch::record(std::span<const PingView> views) {
   const GroupCounts groups(views);
   const auto count = static_cast<std::uint32_t>(views.size());
   const shader::PingJob all = {jobs_.address(), 0, gpu::Commands::most_groups};
-  const auto finish_step = [&] {
+  const auto finish_step = [&](std::string_view name) {
     commands_.wait_for_writes();
     commands_.stamp();
+    steps_.push_back(name);
   };
+  steps_.clear();
   commands_.begin();
   commands_.stamp();
+  for (auto& [of, plan] : plans_) {
+    plan.copy(commands_);
+  }
   for (std::uint32_t i = 0; i < count; ++i) {
-    pings_[i]->plan.copy(commands_);
     pings_[i]->placement.buffer.copy(commands_);
     pings_[i]->memory.clear(commands_);
   }
   jobs_.copy(commands_);
-  finish_step();
+  finish_step("clear");
   commands_.run(kernels_.trace_primaries, all, groups.tiles, count);
-  finish_step();
+  finish_step("trace_primaries");
   const bool calibrated = views.front().plan->model == EchoModel::kCalibrated;
   if (calibrated) {
     commands_.run(kernels_.turn_up, all, groups.samples, count);
-    commands_.wait_for_writes();
+    finish_step("turn_up");
   }
   commands_.run(kernels_.evaluate, all, groups.samples, count);
-  finish_step();
+  finish_step("evaluate");
   commands_.run(kernels_.select, all, groups.blocks, count);
-  finish_step();
+  finish_step("select");
   commands_.run(kernels_.deposit, all, groups.intervals, count);
   commands_.run(kernels_.count_groups, all, 1, count);
-  finish_step();
+  finish_step("deposit");
   for (std::uint32_t i = 0; i < count; ++i) {
     const PingMemory& memory = pings_[i]->memory;
     commands_.run_indirect(calibrated ? kernels_.mirror : kernels_.reflect,
                            shader::PingJob{jobs_.address(), i, gpu::Commands::most_groups}, memory.sums(),
                            memory.counters_offset() + offsetof(shader::Counters, groups));
   }
-  finish_step();
+  finish_step(calibrated ? "mirror" : "reflect");
   for (std::uint32_t i = 0; i < count; ++i) {
     pings_[i]->memory.copy_sums(commands_);
   }
-  finish_step();
+  finish_step("copy");
   commands_.submit();
   commands_.wait();
   step_seconds_ = commands_.stamped();
 }
 
 std::vector<StepTime> GpuBatch::step_times() const {
-  constexpr std::string_view kSteps[] = {"clear",   "trace_primaries", "evaluate", "select",
-                                         "deposit", "reflect",         "copy"};
   std::vector<StepTime> times;
   for (std::size_t i = 0; i < step_seconds_.size(); ++i) {
-    times.push_back({kSteps[i], step_seconds_[i]});
+    times.push_back({steps_[i], step_seconds_[i]});
   }
   return times;
 }
@@ -211,8 +231,9 @@ void GpuBatch::read(std::span<const PingView> views) {
   for_each_view([&](std::size_t view, Workers& workers, int view_worker) {
     const PingMemory& memory = pings_[view]->memory;
     const FlatPlan& plan = *views[view].plan;
+    const std::span<const float> bin_scale = plans_.at(&plan).bin_scale();
     workers.for_each((plan.beam_count + kBeams - 1) / kBeams, [&](int task, int worker) {
-      read_beams(memory, plan, task * kBeams, std::min((task + 1) * kBeams, plan.beam_count),
+      read_beams(memory, bin_scale, task * kBeams, std::min((task + 1) * kBeams, plan.beam_count),
                  scratch_[view_worker + worker], *grids_[view]);
     });
     counts_[view] = {.primary = static_cast<std::uint64_t>(plan.lattice.columns) * plan.lattice.rows,
@@ -221,7 +242,7 @@ void GpuBatch::read(std::span<const PingView> views) {
   });
 }
 
-// What the kernels do not compute yet.
+// Refuses what the kernels do not compute yet.
 void GpuBatch::refuse(const FlatPlan& plan) const {
   if (world_.reliefs.any()) {
     throw Error("engine gpu computes no relief of materials yet; engine cpu does");

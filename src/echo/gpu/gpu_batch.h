@@ -2,7 +2,9 @@
 
 #pragma once
 
+#include <map>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "echo/batch/host_batch.h"
@@ -33,7 +35,6 @@ class GpuBatch final : public HostBatch {
 
  private:
   struct Ping {
-    GpuPlan plan;
     GpuPlacement placement;
     PingMemory memory;
     SamplingProbes probes;
@@ -41,6 +42,7 @@ class GpuBatch final : public HostBatch {
 
   void refuse(const FlatPlan& plan) const;
   void choose_sampling(std::span<const PingView> views);
+  void set_plans(std::span<const PingView> views);
   void prepare(std::span<const PingView> views);
   void fill_jobs(std::span<const PingView> views);
   void record(std::span<const PingView> views);
@@ -50,10 +52,12 @@ class GpuBatch final : public HostBatch {
   GpuWorld& world_;
   const PingKernels& kernels_;
   gpu::Commands commands_;
+  std::map<const FlatPlan*, GpuPlan> plans_;
   std::vector<std::unique_ptr<Ping>> pings_;  // [view]
   std::vector<SecondarySampling> sampling_;   // [view]
   gpu::StagedBuffer jobs_;                    // PingAt[view]
-  std::vector<double> step_seconds_;
+  std::vector<std::string_view> steps_;       // Names of the steps that record() has recorded.
+  std::vector<double> step_seconds_;          // [step]
   std::vector<RayRun> probes_;
   std::vector<std::vector<shader::SurfaceSum>> scratch_;  // [worker]
 };

@@ -6,17 +6,25 @@
 #include <cstring>
 #include <span>
 
+#include "echo/laws/laws.h"
 #include "echo/model/left_out.h"
 
 namespace insonify {
 namespace {
 
-// Appends tables to bytes.
+static_assert(shader::kAngleSteps == AngleTable::kSteps && shader::kReflectance == ScatterTable::kReflectance &&
+              shader::kBackscatter == ScatterTable::kBackscatter && shader::kDiffuse == ScatterTable::kDiffuse &&
+              shader::kMirrored == ScatterTable::kMirrored && shader::kAngleStride == ScatterTable::kAngleStride);
+
+// Least loss that the scale of a bin makes up for: of an intensity that is less nothing is left in single precision.
+constexpr double kLeastLoss = 1e-36;
+
+// Appends tables to bytes that will be at an address on the device.
 class Packer {
  public:
-  explicit Packer(std::vector<std::byte>& bytes) : bytes_(bytes) {}
+  Packer(shader::address start, std::vector<std::byte>& bytes) : start_(start), bytes_(bytes) {}
 
-  /// @return Offset of the table.
+  /// @return Address of the table.
   template <typename Values>
   shader::address add(const Values& table) {
     const std::size_t offset = bytes_.size(), size = table.size() * sizeof(*table.data());
@@ -24,10 +32,11 @@ class Packer {
     if (size > 0) {
       std::memcpy(&bytes_[offset], table.data(), size);
     }
-    return offset;
+    return start_ + offset;
   }
 
  private:
+  shader::address start_;
   std::vector<std::byte>& bytes_;
 };
 
@@ -77,30 +86,6 @@ void set_calibrated(const FlatPlan& plan, shader::PlanTables& tables) {
   tables.received_count = static_cast<std::uint32_t>(plan.received_across.size());
 }
 
-// Calls visit(address) for each address of a table.
-template <typename Visit>
-void for_each_table(shader::PlanTables& tables, const Visit& visit) {
-  for (shader::address* table : {&tables.lambert,        &tables.lobe,
-                                 &tables.steepness,      &tables.roughness,
-                                 &tables.mirrored,       &tables.by_angle,
-                                 &tables.facets,         &tables.facet_roughness,
-                                 &tables.sent_across,    &tables.received_across,
-                                 &tables.transmitted,    &tables.row_pattern,
-                                 &tables.reciprocal,     &tables.full_share,
-                                 &tables.cos_azimuth,    &tables.sin_azimuth,
-                                 &tables.azimuth,        &tables.column_width,
-                                 &tables.column_measure, &tables.row_set,
-                                 &tables.touching,       &tables.elevation,
-                                 &tables.cos_t,          &tables.sin_t,
-                                 &tables.share,          &tables.interval,
-                                 &tables.edges,          &tables.port_edges,
-                                 &tables.starboard_edges}) {
-    if (*table != 0) {
-      visit(*table);
-    }
-  }
-}
-
 void add_materials(const ScatterTable& scatter, Packer& packer, shader::PlanTables& tables) {
   const ScatterTable::Laws laws = scatter.laws();
   const std::size_t count = laws.nothing + std::size_t{1};
@@ -116,25 +101,25 @@ void add_materials(const ScatterTable& scatter, Packer& packer, shader::PlanTabl
   tables.mirrored = packer.add(std::span(laws.mirrored, count));
   tables.facets = packer.add(std::span(laws.facets, count));
   tables.facet_roughness = packer.add(std::span(laws.roughness, laws.nothing));
-  if (laws.by_angle != nullptr) {
+  if (laws.by_angle != nullptr) {  // Else the address is 0.
     tables.by_angle = packer.add(std::span(laws.by_angle, count * ScatterTable::kAngleStride));
   }
 }
 
-// Of each set of rows, what makes the greatest solid angle times 1 the probability 1: share_out_energy() of the host.
+// full_energy_scale() of each set of rows.
 std::vector<float> full_shares(const Lattice& lattice) {
-  constexpr float kFullEnergy = 2;
   std::vector<float> scales;
   for (std::size_t first = 0; first < lattice.share.size(); first += static_cast<std::size_t>(lattice.rows)) {
-    const float most = *std::max_element(&lattice.share[first], &lattice.share[first] + lattice.rows);
-    scales.push_back(most > 0 ? 1 / (kFullEnergy * most) : 0);
+    scales.push_back(full_energy_scale(*std::max_element(&lattice.share[first], &lattice.share[first] + lattice.rows)));
   }
   return scales;
 }
 
-void pack(const FlatPlan& plan, std::vector<std::byte>& bytes) {
+// PlanTables and the tables, as they will be from an address on.
+void pack(const FlatPlan& plan, const std::vector<float>& bin_scale, shader::address start,
+          std::vector<std::byte>& bytes) {
   bytes.resize(sizeof(shader::PlanTables));
-  Packer packer(bytes);
+  Packer packer(start, bytes);
   const Lattice& lattice = plan.lattice;
   shader::PlanTables tables = numbers_of(plan);
   if (plan.model == EchoModel::kCalibrated) {
@@ -147,6 +132,7 @@ void pack(const FlatPlan& plan, std::vector<std::byte>& bytes) {
     tables.reciprocal = packer.add(lattice.reciprocal);
     tables.full_share = packer.add(full_shares(lattice));
   }
+  tables.bin_scale = packer.add(bin_scale);
   tables.cos_azimuth = packer.add(lattice.cos_azimuth);
   tables.sin_azimuth = packer.add(lattice.sin_azimuth);
   tables.azimuth = packer.add(lattice.azimuth);
@@ -167,18 +153,28 @@ void pack(const FlatPlan& plan, std::vector<std::byte>& bytes) {
 
 }  // namespace
 
+std::vector<float> bin_scales(const FlatPlan& plan) {
+  std::vector<float> scales(static_cast<std::size_t>(plan.bin_count), 1.0F);
+  if (plan.model == EchoModel::kCalibrated) {
+    for (std::size_t bin = 0; bin < scales.size(); ++bin) {
+      const double range = double{plan.first_bin_at} + (static_cast<double>(bin) + 0.5) / double{plan.bins_per_metre};
+      const double loss = precise::two_way_loss(double{plan.neper_per_metre}, range);
+      scales[bin] = static_cast<float>(1 / std::max(loss, kLeastLoss));
+    }
+  }
+  return scales;
+}
+
 void GpuPlan::set(gpu::Device& device, const FlatPlan& plan) {
-  pack(plan, bytes_);
+  bin_scale_ = bin_scales(plan);
+  pack(plan, bin_scale_, 0, bytes_);
   if (bytes_ == before_) {
     return;
   }
   before_ = bytes_;
   std::byte* const to = buffer_.refill(device, bytes_.size());
+  pack(plan, bin_scale_, buffer_.address(), bytes_);
   std::memcpy(to, bytes_.data(), bytes_.size());
-  shader::PlanTables tables;
-  std::memcpy(&tables, to, sizeof(tables));
-  for_each_table(tables, [&](shader::address& table) { table += buffer_.address(); });
-  std::memcpy(to, &tables, sizeof(tables));
 }
 
 }  // namespace insonify

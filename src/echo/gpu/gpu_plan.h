@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "echo/gpu/shaders/layout.h"
@@ -9,6 +10,11 @@
 #include "gpu/staged.h"
 
 namespace insonify {
+
+/// What energies of each bin are multiplied by before they become whole numbers. In the calibrated model it makes up
+/// for spreading and absorption, which energies fall by over more than a hundred decibels; in the paper's model it
+/// is 1.
+[[nodiscard]] std::vector<float> bin_scales(const FlatPlan& plan);
 
 /// A FlatPlan's numbers and tables in a buffer, copied when they have changed.
 class GpuPlan {
@@ -21,8 +27,12 @@ class GpuPlan {
   /// Address of the shader::PlanTables.
   [[nodiscard]] std::uint64_t address() const { return buffer_.address(); }
 
+  /// bin_scales() of the plan.
+  [[nodiscard]] std::span<const float> bin_scale() const { return bin_scale_; }
+
  private:
-  std::vector<std::byte> bytes_, before_;  // PlanTables with offsets instead of addresses, and the tables.
+  std::vector<float> bin_scale_;
+  std::vector<std::byte> bytes_, before_;  // PlanTables and the tables, with offsets instead of addresses.
   gpu::StagedBuffer buffer_;
 };
 

@@ -59,32 +59,51 @@ void GpuRays::read(std::span<const RayRun> runs, const Reliefs& reliefs, const s
   }
 }
 
-void GpuRays::trace(const GpuScene& scene, const Reliefs& reliefs, const std::vector<float>& reflectivity,
-                    std::span<const RayRun> runs) {
+// Groups runs that have the scene in one place, and records the copies of these places.
+void GpuRays::place(const GpuScene& scene, std::span<const RayRun> runs) {
+  jobs_.clear();
+  shader::address rays = rays_.address(), hits = hits_.address();
   for (std::size_t first = 0, last = 0; first < runs.size(); first = last) {
-    const Placement* placement = runs[first].placement;
-    std::size_t count = 0;
-    for (last = first; last < runs.size() && Placement::same(runs[last].placement, placement); ++last) {
-      count += runs[last].rays.size();
+    std::uint32_t count = 0;
+    for (last = first; last < runs.size() && Placement::same(runs[last].placement, runs[first].placement); ++last) {
+      count += static_cast<std::uint32_t>(runs[last].rays.size());
     }
     if (count == 0) {
       continue;
     }
-    const std::span<const RayRun> together = runs.subspan(first, last - first);
-    rays_.reserve(device_, count * sizeof(shader::LooseRay), gpu::Memory::kToDevice);
-    hits_.reserve(device_, count * sizeof(shader::LooseHit), gpu::Memory::kToHost);
-    scene.place(placement, placed_);
-    load(together, scene.origin());
-    commands_.begin();
-    placed_.buffer.copy(commands_);
-    commands_.wait_for_writes();
-    const shader::TraceRays job = {placed_.address(), rays_.address(), hits_.address(),
-                                   static_cast<std::uint32_t>(count)};
-    commands_.run(kernel_, job, groups_for(job.count));
-    commands_.submit();
-    commands_.wait();
-    read(together, reliefs, reflectivity, scene.origin());
+    if (jobs_.size() == placed_.size()) {
+      placed_.push_back(std::make_unique<GpuPlacement>());
+    }
+    GpuPlacement& placed = *placed_[jobs_.size()];
+    scene.place(runs[first].placement, placed);
+    placed.buffer.copy(commands_);
+    jobs_.push_back({placed.address(), rays, hits, count});
+    rays += count * sizeof(shader::LooseRay);
+    hits += count * sizeof(shader::LooseHit);
   }
+}
+
+void GpuRays::trace(const GpuScene& scene, const Reliefs& reliefs, const std::vector<float>& reflectivity,
+                    std::span<const RayRun> runs) {
+  std::size_t count = 0;
+  for (const RayRun& run : runs) {
+    count += run.rays.size();
+  }
+  if (count == 0) {
+    return;
+  }
+  rays_.reserve(device_, count * sizeof(shader::LooseRay), gpu::Memory::kToDevice);
+  hits_.reserve(device_, count * sizeof(shader::LooseHit), gpu::Memory::kToHost);
+  load(runs, scene.origin());
+  commands_.begin();
+  place(scene, runs);
+  commands_.wait_for_writes();
+  for (const shader::TraceRays& job : jobs_) {
+    commands_.run(kernel_, job, groups_for(job.count));
+  }
+  commands_.submit();
+  commands_.wait();
+  read(runs, reliefs, reflectivity, scene.origin());
 }
 
 }  // namespace insonify

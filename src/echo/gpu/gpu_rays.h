@@ -2,7 +2,9 @@
 
 #pragma once
 
+#include <memory>
 #include <span>
+#include <vector>
 
 #include "echo/engine.h"
 #include "echo/gpu/gpu_scene.h"
@@ -16,11 +18,12 @@ class GpuRays {
  public:
   explicit GpuRays(gpu::Device& device);
 
-  /// Traces the rays of all runs in one submission a placement.
+  /// Traces the rays of all runs in one submission.
   void trace(const GpuScene& scene, const Reliefs& reliefs, const std::vector<float>& reflectivity,
              std::span<const RayRun> runs);
 
  private:
+  void place(const GpuScene& scene, std::span<const RayRun> runs);
   void load(std::span<const RayRun> runs, const Vec3& origin);
   void read(std::span<const RayRun> runs, const Reliefs& reliefs, const std::vector<float>& reflectivity,
             const Vec3& origin);
@@ -28,7 +31,8 @@ class GpuRays {
   gpu::Device& device_;
   gpu::Kernel kernel_;
   gpu::Commands commands_;
-  GpuPlacement placed_;
+  std::vector<shader::TraceRays> jobs_;  // One for each of the places below that is in use.
+  std::vector<std::unique_ptr<GpuPlacement>> placed_;
   gpu::Buffer rays_, hits_;
 };
 

@@ -67,11 +67,11 @@ class GpuScene {
 
   gpu::Device& device_;
   const Scene* scene_ = nullptr;
-  std::uint64_t number_ = 0;  // Of calls of set().
+  std::uint64_t number_ = 0;  // Calls of set() and leave_out().
   Vec3 origin_ = Vec3::Zero();
   std::map<const Mesh*, std::unique_ptr<GpuMesh>> meshes_;
   std::vector<const GpuMesh*> mesh_of_;                               // [instance]; null where it is not present.
-  gpu::Buffer surfaces_;                                              // Of all instances, slot by slot.
+  gpu::Buffer surfaces_;                                              // All instances', slot by slot.
   std::vector<std::size_t> first_surface_;                            // [instance]
   std::map<const void*, gpu::Buffer> left_out_;                       // By the host's table.
   std::vector<std::pair<std::uint64_t, std::uint64_t>> left_out_of_;  // [instance] thickness, glinting; 0: none.

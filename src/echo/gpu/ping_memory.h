@@ -21,7 +21,7 @@ class PingMemory {
   /// run again.
   bool enough_room(gpu::Device& device);
 
-  /// Records copies of what the host reads: of surfaces as many as the ping before took, and a few more.
+  /// Records copies of what the host reads: as many surfaces as the ping before took, and a few more.
   void copy_sums(gpu::Commands& commands);
 
   /// After the commands: whether there are surfaces beyond these, and records their copy.
@@ -55,7 +55,7 @@ class PingMemory {
   std::uint64_t reflecting_ = 0;
   std::size_t cells_of_orders_ = 0, counters_offset_ = 0, first_surface_offset_ = 0, sums_bytes_ = 0;
   std::uint32_t used_surfaces_ = 0;    // SurfaceSums that are not zero.
-  std::uint32_t copied_surfaces_ = 0;  // Of these, those that copy_sums() copies.
+  std::uint32_t copied_surfaces_ = 0;  // How many of them copy_sums() copies.
 };
 
 }  // namespace insonify

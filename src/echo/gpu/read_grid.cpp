@@ -3,33 +3,24 @@
 #include "echo/gpu/read_grid.h"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <vector>
 
 namespace insonify {
 namespace {
 
-// As in cells.glsl.
-constexpr double kUnit = 1.0 / 4503599627370496.0;
+constexpr double kUnit = 1 / double{shader::kUnits};
 
 float real(std::int64_t fixed) {
   return static_cast<float>(static_cast<double>(fixed) * kUnit);
 }
 
-// @param scale  Of the bin, see unscaled().
+// @param scale  Factor that undoes the scale of the bin.
 SurfaceEcho echo_of(const shader::SurfaceSum& sum, double scale) {
   const auto scaled = [&](std::int64_t value) {
     return static_cast<float>(static_cast<double>(value) * kUnit * scale);
   };
   return {sum.key - 1, scaled(sum.energy), scaled(sum.moment), scaled(sum.square)};
-}
-
-// Undoes bin_scale() of cells.glsl.
-double unscaled(const FlatPlan& plan, int bin) {
-  const double range = double{plan.first_bin_at} + (bin + 0.5) / double{plan.bins_per_metre};
-  return plan.model == EchoModel::kCalibrated ? 1 / (range * range * std::exp(4 * double{plan.neper_per_metre} * range))
-                                              : 1.0;
 }
 
 // Bins of a beam that hold anything.
@@ -45,7 +36,23 @@ BinRange bins_in_use(const std::int64_t* weight, int bins, int orders, std::size
   return used;
 }
 
-// The sums of a cell's surfaces, in the order of their labels: one for each, of which the device may have had several.
+// Fills a cell's label, and adds what further surfaces it has.
+void fill_label(std::span<const shader::SurfaceSum> surfaces, double scale, int beam, int bin,
+                const EchoGrid::Cells& cells, int at, EchoGrid& grid) {
+  const SurfaceEcho one = echo_of(surfaces.front(), scale);
+  cells.surface[at] = one.surface;
+  cells.surface_energy[at] = one.energy;
+  cells.elevation_moment[at] = one.elevation_moment;
+  if (cells.elevation_square != nullptr) {
+    cells.elevation_square[at] = one.elevation_square;
+  }
+  for (const shader::SurfaceSum& further : surfaces.subspan(1)) {
+    grid.add_further(beam, bin, echo_of(further, scale));
+  }
+}
+
+}  // namespace
+
 std::span<const shader::SurfaceSum> surfaces_of_list(const shader::SurfaceSum* sums, std::uint32_t first,
                                                      std::vector<shader::SurfaceSum>& found) {
   if (sums[first - 1].next == 0) {
@@ -66,24 +73,7 @@ std::span<const shader::SurfaceSum> surfaces_of_list(const shader::SurfaceSum* s
   return found;
 }
 
-// Fills a cell's label, and adds what further surfaces it has.
-void fill_label(std::span<const shader::SurfaceSum> surfaces, double scale, int beam, int bin,
-                const EchoGrid::Cells& cells, int at, EchoGrid& grid) {
-  const SurfaceEcho one = echo_of(surfaces.front(), scale);
-  cells.surface[at] = one.surface;
-  cells.surface_energy[at] = one.energy;
-  cells.elevation_moment[at] = one.elevation_moment;
-  if (cells.elevation_square != nullptr) {
-    cells.elevation_square[at] = one.elevation_square;
-  }
-  for (const shader::SurfaceSum& further : surfaces.subspan(1)) {
-    grid.add_further(beam, bin, echo_of(further, scale));
-  }
-}
-
-}  // namespace
-
-void read_beams(const PingMemory& memory, const FlatPlan& plan, int first_beam, int last_beam,
+void read_beams(const PingMemory& memory, std::span<const float> bin_scale, int first_beam, int last_beam,
                 std::vector<shader::SurfaceSum>& scratch, EchoGrid& grid) {
   const int bins = grid.bin_count();
   const std::size_t cells = static_cast<std::size_t>(grid.beam_count()) * bins;
@@ -99,7 +89,7 @@ void read_beams(const PingMemory& memory, const FlatPlan& plan, int first_beam, 
       const EchoGrid::Cells to = grid.to_fill(order, beam, used);
       const std::size_t from = (order - 1) * cells + start + used.first;
       for (int i = 0; i < used.last - used.first; ++i) {
-        const double scale = unscaled(plan, used.first + i);
+        const double scale = 1 / double{bin_scale[used.first + i]};
         to.energy[i] = static_cast<float>(static_cast<double>(memory.energy()[from + i]) * kUnit * scale);
         to.weight[i] = real(memory.weight()[from + i]);
         const std::uint32_t surface =

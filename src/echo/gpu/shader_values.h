@@ -1,4 +1,4 @@
-// shader_values.h -- what the host's files about kernels have in common: sizes of groups, and vectors as shaders have
+// shader_values.h -- what the host's files about kernels have in common: numbers of groups, and vectors as shaders have
 // them.
 
 #pragma once
@@ -10,10 +10,8 @@
 
 namespace insonify {
 
-/// Invocations of a group, in all shaders that work through a list.
-inline constexpr std::uint32_t kGroup = 64;
-
-[[nodiscard]] constexpr std::uint32_t groups_for(std::uint32_t count, std::uint32_t each = kGroup) {
+/// Groups that are needed for so many invocations, or other things of which a group has `each`.
+[[nodiscard]] constexpr std::uint32_t groups_for(std::uint32_t count, std::uint32_t each = shader::kGroup) {
   return (count + each - 1) / each;
 }
 

@@ -26,6 +26,8 @@ inline constexpr int kMostInLeaf = 3;
 
 /// Most levels of a tree below its root: shaders have a stack of as many entries for both levels together.
 enum class TreeDepth { kInstances = 12, kTriangles = 24 };
+static_assert(static_cast<int>(TreeDepth::kInstances) + static_cast<int>(TreeDepth::kTriangles) + 2 <=
+              shader::kTreeStack);
 
 /// Builds a tree by the surface-area heuristic.
 /// @param boxes    At most 2^28.

@@ -102,9 +102,18 @@ LAW Real held_on_face(FaceSide first, FaceSide second, Real rho) {
   return sqrt(held_on_side(first, rho) * held_on_side(second, rho));
 }
 
+/// An edge that a mirror does not have [m].
+CONSTANT Real kFarEdge = REAL(1e6);
+
+/// Exclusive-or with the seed of facet_slopes() for the facets that model diffraction: independent of roughness.
+CONSTANT uint kDiffractionSeed = 0x9e3779b9U;
+
+/// Least cosine of incidence of diffraction_slope().
+CONSTANT Real kLeastTiltCosine = REAL(0.05);
+
 /// Rms slope along one axis of the random facets that model diffraction at a face's edges. They spread sound into a
 /// Gaussian beam with the peak of the far field's sinc^2: width lambda/(sqrt(2 pi) a cos) for a side of length a.
-/// @param cosine  Cosine of the angle of incidence, > 0.
+/// @param cosine  Cosine of the angle of incidence, at least kLeastTiltCosine.
 LAW Real diffraction_slope(Real low, Real high, Real wavelength, Real cosine) {
   const Real kSteepest = REAL(0.3), kRootTwoPi = REAL(2.50662827);
   const Real slope = wavelength / (2 * kRootTwoPi * cosine * (high - low));

@@ -83,6 +83,16 @@ struct FootprintSegment {
   Real elevation;  ///< Elevation of the echo [rad].
 };
 
+/// Position of the end of a segment that extends beyond the last sample of a surface: at most 1.5 times as far as that
+/// sample is from its neighbour on the surface.
+/// @param here    Position of the sample [bins].
+/// @param behind  Position of the neighbour.
+/// @param wished  Position of the sample's tangent plane at the end; anything where the plane is parallel to it.
+LAW Real extended_to(Real here, Real behind, Real wished) {
+  const Real most = REAL(1.5) * abs(here - behind);
+  return wished > here - most ? min(wished, here + most) : here - most;
+}
+
 /// A sample at the end of a segment.
 struct SegmentEnd {
   Real position;  ///< [bins]

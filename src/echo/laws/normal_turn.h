@@ -1,5 +1,9 @@
 // normal_turn.h -- change of the surface normal from one sample to its neighbours.
 
+/// Columns whose normals are compared with each other: those from 4 k to 4 k + 3, so that results do not depend on
+/// where tasks begin.
+CONSTANT int kTurnColumns = 4;
+
 /// Change between two neighbours.
 struct NormalChange {
   Triple turn;   ///< Difference of their unit normals; 0 unless they are joined.

@@ -1,5 +1,9 @@
 // path_footprint.h -- range interval over which an echo over a mirror is spread.
 
+/// Length at both ends of a reflected ray or return leg within which it hits nothing [m]: more than the rounding error
+/// of single precision at sonar ranges, less than any detail that a sonar resolves.
+CONSTANT Real kRayClearance = REAL(1e-3);
+
 /// The hit of a sample of the lattice on a mirror, and the reflected direction.
 struct MirrorSample {
   Triple place;              ///< Position relative to the sonar [m].

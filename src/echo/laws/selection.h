@@ -1,5 +1,18 @@
 // selection.h -- which hits reflect a ray: systematic sampling along a column, see select_hits().
 
+/// The golden section of a turn in units of 2^-32: multiples of it are spread evenly.
+CONSTANT uint kGoldenTurn = 2654435769U;
+
+/// The sum of probabilities restarts after this many rows, so that the hit of one sample has little influence on the
+/// selection far above.
+CONSTANT int kSelectionRows = 64;
+
+/// What the sum starts at in a column: it advances by the golden section, so that neighbours differ most.
+/// @param stagger  PlanNumbers::stagger
+LAW uint selection_start(uint column, uint stagger) {
+  return column * kGoldenTurn + stagger;
+}
+
 /// Limits of the probability that a hit is selected. Below one half, so that share_in_turns() fits a signed integer.
 CONSTANT Real kLeastSelected = REAL(1.0) / 16;
 CONSTANT Real kMostSelected = REAL(0.498);
@@ -7,6 +20,14 @@ CONSTANT Real kMostSelected = REAL(0.498);
 /// A probability within its limits.
 LAW Real selected_share(Real wish) {
   return wish < kLeastSelected ? kLeastSelected : (wish > kMostSelected ? kMostSelected : wish);
+}
+
+/// The scale of calibrated_share(). Every hit would be selected at kFullEnergy times the energy that a mirror reflects
+/// from the greatest solid angle of a column, a factor chosen by `insonify bench sampling` (bench/README.md).
+/// @param most  The greatest solid angle; 0 for a cone beyond the sector, which has none.
+LAW Real full_energy_scale(Real most) {
+  const Real kFullEnergy = 2;
+  return most > 0 ? 1 / (kFullEnergy * most) : REAL(0.0);
 }
 
 /// Probability of a hit in the `paper` model: the square root of |facing| x reflectivity relative to a full one.
@@ -21,7 +42,7 @@ LAW Real paper_share(Real facing, Real reflectivity) {
 /// nothing are not followed.
 /// @param reflectance  |R|^2
 /// @param sent         Solid angle of the sample, weighted by the pattern on transmission.
-/// @param scale        What makes their product 1 where every hit would be selected.
+/// @param scale        full_energy_scale(): their product is 1 where every hit would be selected.
 LAW Real calibrated_share(Real reflectance, Real sent, Real scale) {
   const Real kNoMirror = REAL(1e-4);
   const Real share = selected_share(sqrt(reflectance * sent * scale));

@@ -312,12 +312,10 @@ std::shared_ptr<const MeshFaces> shared_faces(const std::shared_ptr<const Mesh>&
 
 FaceTilt FaceTilt::of(const FaceEdges& face, std::uint32_t column, std::uint32_t row, std::uint32_t seed,
                       float wavelength, float incidence) {
-  constexpr std::uint32_t kOwnSeed = 0x9e3779b9U;  // Independent of the random numbers of roughness.
-  constexpr float kLeastTiltCosine = 0.05F;
   if (!face.finite) {
     return {};
   }
-  const FacetSlopes slopes = facet_slopes(column, row, seed ^ kOwnSeed);
+  const FacetSlopes slopes = facet_slopes(column, row, seed ^ kDiffractionSeed);
   const float cosine = std::max(std::abs(incidence), kLeastTiltCosine);
   const float first = slopes.along * diffraction_slope(face.low[0], face.high[0], wavelength, cosine),
               second = slopes.across * diffraction_slope(face.low[1], face.high[1], wavelength, cosine);

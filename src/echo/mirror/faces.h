@@ -53,8 +53,6 @@ struct FaceEdges {
                        high = {kFarEdge, kFarEdge};  ///< Edges along the axes, relative to the hit [m].
   bool finite = false;                               ///< Whether there is a face.
 
-  static constexpr float kFarEdge = 1e6F;
-
   /// @param from_corner  From the face's corner to the hit, in the mesh frame [m].
   /// @param turn         Rotation from the mesh frame to that of the rays.
   [[nodiscard]] static FaceEdges of(const Face& face, const Vec3f& from_corner, const Eigen::Matrix3f& turn);

@@ -12,9 +12,6 @@
 namespace insonify {
 namespace {
 
-// Greatest length of a segment beyond the last sample of a surface, relative to that between its last two samples.
-constexpr float kMostExtension = 1.5F;
-
 // Adds the sums of a run on one surface to its cells and sets them to zero. Where another surface is the strongest of a
 // cell so far, only energy and weight are added, and the run's sums are kept. Returns whether there are such cells.
 INSONIFY_VECTOR_CLONES
@@ -104,9 +101,7 @@ float plane_end(const FlatPlan& plan, const HitColumn& hits, const FootprintSegm
     facing_here += segments.normal_beside[row];
   }
   const float range_end = hits.range[row] * facing_here / facing_end;
-  const float most = kMostExtension * std::abs(here - segments.position[behind]);
-  const float wished = (range_end - plan.first_bin_at) * plan.bins_per_metre;
-  return wished > here - most ? std::min(wished, here + most) : here - most;  // Also where facing_end is 0.
+  return extended_to(here, segments.position[behind], (range_end - plan.first_bin_at) * plan.bins_per_metre);
 }
 
 // Cosine and sine of t for the direction in a column that a segment extends to; see ColumnAxes.

@@ -1,9 +1,10 @@
-// hit.h -- the first surface along a ray, for rays that are not part of a lattice; clearance of rays from surfaces.
+// hit.h -- the first surface along a ray, for rays that are not part of a lattice.
 
 #pragma once
 
 #include <cstdint>
 
+#include "echo/laws/laws.h"
 #include "insonify/geometry.h"
 #include "insonify/ground_truth.h"
 
@@ -18,9 +19,5 @@ struct Hit {
   float reflectivity = 0;             ///< That of the material, times ReliefPoint::reflectivity.
   float texture = 1;                  ///< ReliefPoint::reflectivity.
 };
-
-/// Length at both ends of a reflected ray or return leg within which it hits nothing [m]: more than the rounding error
-/// of single precision at sonar ranges, less than any detail that a sonar resolves.
-inline constexpr float kRayClearance = 1e-3F;
 
 }  // namespace insonify

@@ -13,9 +13,7 @@ namespace insonify {
 /// Fills in the turns of neighbouring columns; holds the scratch memory.
 class NormalTurns {
  public:
-  /// Columns that are compared with each other: those from 4 k to 4 k + 3, so that results do not depend on where tasks
-  /// begin.
-  static constexpr int kColumns = 4;
+  static constexpr int kColumns = kTurnColumns;
 
   /// Prepares for a number of rows. Allocates only if it needs more memory than ever before.
   void prepare(int rows);

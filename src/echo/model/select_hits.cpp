@@ -10,17 +10,6 @@
 namespace insonify {
 namespace {
 
-// The energy, in units of that reflected by a mirror from the greatest solid angle of a column, at which every hit of
-// the `calibrated` model would be selected. Chosen by `insonify bench sampling` (bench/README.md).
-constexpr float kFullEnergy = 2;
-
-// From one column to the next the start of the sum advances by the golden section, so that neighbours differ most.
-constexpr std::uint32_t kGoldenTurn = 2654435769U;
-
-// The sum restarts after this many rows, so that the hit of one sample has little influence on the selection far
-// above.
-constexpr int kSelectionRows = 64;
-
 // Probability of each hit, as a float and in units of 2^-32; 0 where nothing was hit.
 INSONIFY_VECTOR_CLONES
 void share_out(int rows, const float* __restrict__ range, const float* __restrict__ facing,
@@ -51,7 +40,7 @@ void share_out_reflectance(int rows, const float* __restrict__ sent, float scale
 }
 
 // `calibrated`: the probability is the square root of the energy that a hit reflects, |R|^2 times the solid angle of
-// its sample weighted by the pattern on transmission, re kFullEnergy times the greatest solid angle of the column.
+// its sample weighted by the pattern on transmission, times full_energy_scale().
 void share_out_energy(const FlatPlan& plan, int column, int rows, const HitColumn& hits, float* share,
                       std::uint32_t* turn) {
   const float* const sent = plan.lattice.shares(column);
@@ -62,8 +51,7 @@ void share_out_energy(const FlatPlan& plan, int column, int rows, const HitColum
       share[row] *= hits.texture[row] * hits.texture[row];
     }
   }
-  const float scale = most > 0 ? 1 / (kFullEnergy * most) : 0;  // A cone beyond the sector has no solid angle.
-  share_out_reflectance(rows, sent, scale, share, turn);
+  share_out_reflectance(rows, sent, full_energy_scale(most), share, turn);
 }
 
 // Systematic sampling, see select_hits().
@@ -73,7 +61,7 @@ void select_some(const FlatPlan& plan, int column, int rows, const HitColumn& hi
   } else {
     share_out(rows, hits.range, hits.facing, hits.reflectivity, hits.selected, turned);
   }
-  const std::uint32_t start = static_cast<std::uint32_t>(column) * kGoldenTurn + plan.stagger;
+  const std::uint32_t start = selection_start(static_cast<std::uint32_t>(column), plan.stagger);
   for (int first = 0; first < rows; first += kSelectionRows) {
     std::uint32_t sum = start;
     for (int row = first; row < std::min(first + kSelectionRows, rows); ++row) {

@@ -21,8 +21,6 @@ constexpr float kOpen = 0.4F;
 constexpr int kSamplesPerProbe = 400;
 constexpr int kLeastProbes = 8, kMostProbes = 64;
 
-constexpr std::uint32_t kGoldenTurn = 2654435769U;
-
 // Columns are evenly spaced from port to starboard; rows follow the golden section, which spaces them evenly too.
 Ray probe_ray(const FlatPlan& plan, const Pose& world_from_sonar, int probe, int probes) {
   const Lattice& lattice = plan.lattice;

@@ -1,9 +1,6 @@
 // cells.glsl -- adds echoes to the cells of a ping, in fixed point: whatever the order in which they are added, the sums
 // are the same to the last bit.
 
-// Units in one.
-const float kUnits = 4503599627370496.0;  // 2^52
-
 int64_t fixed_point(float value) {
   return int64_t(value * kUnits);
 }
@@ -41,18 +38,11 @@ uint sums_of_surface(Cells cells, uint cell, uint surface) {
   }
 }
 
-// What energies of a bin are multiplied by before they become whole numbers: in the calibrated model they fall by
-// spreading and absorption, over more than a hundred decibels. read_grid.cpp undoes it.
-float bin_scale(PlanTables plan, uint bin) {
-  const float range = plan.first_bin_at + (float(bin) + 0.5) / plan.bins_per_metre;
-  return plan.calibrated != 0 ? range * range * exp(4.0 * plan.neper_per_metre * range) : 1.0;
-}
-
 // Adds an echo to a cell.
 void add_to_cell(PlanTables plan, Cells cells, uint order, uint beam, uint bin, float power, float weight,
                  float elevation, uint surface) {
   const uint cell = beam * plan.bins + bin, of_order = (order - 1) * plan.beams * plan.bins + cell;
-  const float energy = weight * power * bin_scale(plan, bin);
+  const float energy = weight * power * Floats(plan.bin_scale).at[bin];
   atomicAdd(Sums(cells.energy).at[of_order], fixed_point(energy));
   atomicAdd(Sums(cells.weight).at[of_order], fixed_point(weight));
   const uint at = cells.labelled != 0 ? sums_of_surface(cells, cell, surface) : cells.most_surfaces;

@@ -6,10 +6,7 @@
 #include "ping.glsl"
 #include "cells.glsl"
 
-layout(local_size_x = 64) in;
-
-// Greatest length of a segment beyond the last sample of a surface, relative to that between its last two samples.
-const float kMostExtension = 1.5;
+layout(local_size_x = kGroup) in;
 
 // A column, and a sample of it as a segment needs it.
 struct Column {
@@ -63,9 +60,7 @@ float plane_end(Column c, uint row, int behind, vec2 end) {
                                       Floats(c.plan.sin_t).at[c.first_row + row]);
   const float facing_end = dot(normal, direction_at(c.axes, end.x, end.y)), facing_here = dot(normal, direction);
   const float range_end = Floats(c.samples.range).at[c.first + row] * facing_here / facing_end;
-  const float most = kMostExtension * abs(here - position_of(c, uint(behind)));
-  const float wished = (range_end - c.plan.first_bin_at) * c.plan.bins_per_metre;
-  return wished > here - most ? min(wished, here + most) : here - most;
+  return extended_to(here, position_of(c, uint(behind)), (range_end - c.plan.first_bin_at) * c.plan.bins_per_metre);
 }
 
 // The segment from a sample to a direction, for a sample that is not joined to the next one there: open_segment() of the

@@ -7,7 +7,7 @@
 #include "materials.glsl"
 #include "turns.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = kGroup) in;
 
 // ScatterTable::fill_powers() and leave_out() of the host.
 float calibrated_power(PingAt ping, PlanTables plan, uint column, uint row, vec3 direction, float facing) {

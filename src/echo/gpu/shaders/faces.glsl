@@ -9,9 +9,8 @@ struct FaceEdges {
 
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer PlaneFaces { PlaneFace at[]; };
 
-// @param point  Of the hit, in the scene.
+// @param point  The hit, in the scene.
 FaceEdges face_edges(PlacedMesh placed, uint triangle, vec3 point) {
-  const float kFarEdge = 1e6;
   FaceEdges edges;
   edges.axes[0] = edges.axes[1] = vec3(0.0);
   edges.low[0] = edges.low[1] = -kFarEdge;
@@ -33,12 +32,10 @@ FaceEdges face_edges(PlacedMesh placed, uint triangle, vec3 point) {
 }
 
 vec3 face_tilt(FaceEdges face, uint column, uint row, uint seed, float wavelength, float incidence) {
-  const uint kOwnSeed = 0x9e3779b9u;
-  const float kLeastTiltCosine = 0.05;
   if (!face.finite) {
     return vec3(0.0);
   }
-  const FacetSlopes slopes = facet_slopes(column, row, seed ^ kOwnSeed);
+  const FacetSlopes slopes = facet_slopes(column, row, seed ^ kDiffractionSeed);
   const float cosine = max(abs(incidence), kLeastTiltCosine);
   return slopes.along * diffraction_slope(face.low[0], face.high[0], wavelength, cosine) * face.axes[0] +
          slopes.across * diffraction_slope(face.low[1], face.high[1], wavelength, cosine) * face.axes[1];

@@ -1,5 +1,6 @@
-// layout.h -- structures that the host writes and shaders read, in the common subset of C++ and GLSL. Scalar layout: as
-// C++ lays them out, without padding of vectors. Addresses are those of buffers on the device.
+// layout.h -- structures that the host writes and shaders read, and the constants that both need, in the common subset
+// of C++ and GLSL. Scalar layout: as C++ lays them out, without padding of vectors. Addresses are those of buffers on
+// the device.
 
 #ifdef __cplusplus
 #pragma once
@@ -8,6 +9,7 @@
 
 namespace insonify::shader {
 
+#define SHARED inline constexpr
 using uint = std::uint32_t;
 using address = std::uint64_t;
 using int64 = std::int64_t;
@@ -19,10 +21,30 @@ struct mat3x4 {
 };
 
 #else
+#define SHARED const
 #define address uint64_t
 #define int64 int64_t
 #define mat3x4 mat4x3  // Four columns of three rows: a rotation and an offset.
 #endif
+
+/// Invocations of a group, in all kernels but count_groups.
+SHARED uint kGroup = 64U;
+
+/// Columns, and rows, of the tile of samples that a group of trace_primaries traces.
+SHARED uint kTile = 8U;
+
+/// Units of sums in fixed point that are one: 2^52.
+SHARED float kUnits = 4503599627370496.0F;
+
+/// Most entries that a ray's stack needs: TreeDepth::kInstances + kTriangles, and what is left of a leaf.
+SHARED int kTreeStack = 40;
+
+/// SecondarySampling
+SHARED uint kSampleNone = 0U, kSampleSome = 1U, kSampleAll = 2U;
+
+/// Tables of a material in PlanTables::by_angle, see ScatterTable.
+SHARED uint kAngleSteps = 512U, kAngleNodes = kAngleSteps + 2U, kReflectance = 0U, kBackscatter = kAngleNodes,
+            kDiffuse = 2U * kAngleNodes, kMirrored = 3U * kAngleNodes, kAngleStride = 4U * kAngleNodes;
 
 /// A node with up to eight children, whose boxes are rounded outwards to 1/255 of its own: Ylitie, Karras and Laine,
 /// "Efficient incoherent ray traversal on GPUs through compressed wide BVHs", HPG 2017. A child is in the slot of the
@@ -106,7 +128,7 @@ struct PlanTables {
   uint cone;                             ///< 1 for BeamShape::kCone, 0 for kWedge.
   uint calibrated;                       ///< 1 for EchoModel::kCalibrated, 0 for kPaper.
   uint shaped;                           ///< `paper`: whether strengths go through the sigmoid.
-  float slope, midpoint, scale, offset;  ///< `paper`: of the sigmoid.
+  float slope, midpoint, scale, offset;  ///< `paper`: the sigmoid's.
   float neper_per_metre, true_max_range, reach, bins_per_metre, first_bin_at, middle_elevation, beams_per_radian;
   uint stagger;
   // `calibrated`:
@@ -116,7 +138,7 @@ struct PlanTables {
   uint has_facets;     ///< FlatPlan::has_facets()
   uint max_surfaces, two_way, sends_apart;
   float thin_per_metre, wavelength, tan_low, tan_high;
-  float transmitter_length;                                  ///< Of FanPattern [wavelengths]; 0: flat.
+  float transmitter_length;                                  ///< FanPattern::length()
   float sent_low, sent_steps, received_low, received_steps;  ///< PatternAxis
   uint sent_count, received_count;                           ///< Values of the tables across elevations.
   address sent_across, received_across;                      ///< float[count]
@@ -129,6 +151,8 @@ struct PlanTables {
   address transmitted;                                       ///< float[column]
   address row_pattern, reciprocal;                           ///< float[set][row]
   address full_share;                                        ///< float[set], see share_out_energy().
+  // Both models:
+  address bin_scale;                                                        ///< float[bin], see bin_scales().
   address cos_azimuth, sin_azimuth, azimuth, column_width, column_measure;  ///< float[column]
   address row_set, touching;                                                ///< uint[column]
   address elevation, cos_t, sin_t, share;                                   ///< float[set][row]
@@ -198,6 +222,8 @@ struct PingJob {
   uint first;
   uint most_groups;  ///< In one row of groups.
 };
+
+#undef SHARED
 
 #ifdef __cplusplus
 }  // namespace insonify::shader

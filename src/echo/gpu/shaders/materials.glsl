@@ -1,9 +1,5 @@
 // materials.glsl -- what the surfaces of the calibrated model scatter and reflect: ScatterTable of the host.
 
-// As in ScatterTable.
-const uint kAngleSteps = 512, kAngleNodes = kAngleSteps + 2, kReflectance = 0, kBackscatter = kAngleNodes,
-           kDiffuse = 2 * kAngleNodes, kMirrored = 3 * kAngleNodes, kAngleStride = 4 * kAngleNodes;
-
 uint material_of(PlanTables plan, uint surface) {
   return min(surface & 0xffffu, plan.materials);
 }

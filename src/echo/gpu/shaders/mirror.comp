@@ -10,12 +10,12 @@
 #include "faces.glsl"
 #include "mirrors.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = kGroup) in;
 
 // The first surface of a path, and the ray that it reflects.
 struct ReflectedRay {
   MirrorSample mirror;
-  vec3 direction;  // Of the incident sound.
+  vec3 direction;  // The incident sound's.
   float facing, reflectance, steepness, roughness;
   FaceEdges face;
   vec3 reflected;  // By a facet, or by the smooth mirror.

@@ -1,7 +1,5 @@
 // mirrors.glsl -- samples of the fan as mirrors, and how they differ from their neighbours.
 
-const float kRayClearance = 1e-3;  // As in hit.h.
-
 MirrorSample sample_at(PingAt ping, PlanTables plan, uint column, uint row) {
   const uint at = column * plan.rows + row;
   return mirror_sample(direction_of(plan, axes_of(ping, plan, column), column, row), Vectors(ping.samples.normal).at[at],

@@ -18,8 +18,6 @@ layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Pin
 
 layout(push_constant, scalar) uniform Push { PingJob job; };
 
-const uint kSampleNone = 0, kSampleSome = 1, kSampleAll = 2;
-
 // ColumnAxes of a column, in the frame of the scene.
 struct Axes {
   vec3 along, across, up, beside;

@@ -6,7 +6,7 @@
 #include "cells.glsl"
 #include "mirrors.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = kGroup) in;
 
 void main() {
   const PingAt ping = Pings(job.pings).at[job.first + gl_WorkGroupID.y];

@@ -28,7 +28,6 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Pla
 
 const uint kNoSurface = 0xffffffffu;
 const uint kNoInstance = 0xffffffffu;
-const int kStackSize = 40;  // TreeDepth::kInstances + kTriangles, and what is left of a leaf.
 
 // The nearest hit of a ray.
 struct SceneHit {
@@ -151,7 +150,7 @@ SceneHit trace(PlacedScene scene, vec3 origin, vec3 direction, float near, float
   TreeTriangles triangles = TreeTriangles(scene.nodes);
   TreeRay ray = tree_ray(origin, direction);
   uint instance = kNoInstance;  // The one whose tree is walked; kNoInstance in the upper level.
-  Group stack[kStackSize];
+  Group stack[kTreeStack];
   int depth = 0, floor_of_tree = 0;
   Group group = root_group(ray), found = Group(0);
   while (true) {

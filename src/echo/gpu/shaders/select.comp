@@ -5,9 +5,7 @@
 #include "ping.glsl"
 #include "materials.glsl"
 
-// From one column to the next the start of the sum advances by the golden section; the sum restarts after some rows.
-const uint kGoldenTurn = 2654435769u, kSelectionRows = 64;
-layout(local_size_x = 64) in;
+layout(local_size_x = kGroup) in;
 
 void main() {
   const PingAt ping = Pings(job.pings).at[job.first + gl_WorkGroupID.y];
@@ -19,7 +17,7 @@ void main() {
   }
   CountersAt counts = CountersAt(ping.cells.counter);
   ReflectingHits hits = ReflectingHits(ping.reflecting);
-  uint sum = column * kGoldenTurn + plan.stagger;
+  uint sum = selection_start(column, plan.stagger);
   for (uint row = block * kSelectionRows; row < min((block + 1) * kSelectionRows, plan.rows); ++row) {
     const uint at = column * plan.rows + row;
     const bool met = Uints(ping.samples.surface).at[at] != kNoSurface;

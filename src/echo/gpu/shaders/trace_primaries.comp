@@ -5,16 +5,15 @@
 #include "ping.glsl"
 
 // A group is a tile of the lattice: neighbours walk through the same nodes.
-const uint kTileColumns = 8, kTileRows = 8;
-layout(local_size_x = 64) in;
+layout(local_size_x = kTile * kTile) in;
 
 void main() {
   const PingAt ping = Pings(job.pings).at[job.first + gl_WorkGroupID.y];
   const PlanTables plan = PlanAt(ping.plan).plan;
-  const uint tiles = (plan.rows + kTileRows - 1) / kTileRows;
+  const uint tiles = (plan.rows + kTile - 1) / kTile;
   const uint lane = gl_LocalInvocationIndex;
-  const uint column = GROUP / tiles * kTileColumns + (lane / 8) % 4 * 2 + lane % 2;
-  const uint row = GROUP % tiles * kTileRows + lane / 32 * 4 + lane / 2 % 4;
+  const uint column = GROUP / tiles * kTile + (lane / 8) % 4 * 2 + lane % 2;
+  const uint row = GROUP % tiles * kTile + lane / 32 * 4 + lane / 2 % 4;
   if (column >= plan.columns || row >= plan.rows) {
     return;
   }

@@ -4,7 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "scene.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = kGroup) in;
 
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Rays { LooseRay at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) writeonly buffer Hits { LooseHit at[]; };

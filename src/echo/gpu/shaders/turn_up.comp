@@ -5,7 +5,7 @@
 #include "ping.glsl"
 #include "turns.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = kGroup) in;
 
 void main() {
   const PingAt ping = Pings(job.pings).at[job.first + gl_WorkGroupID.y];

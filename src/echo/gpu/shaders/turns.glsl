@@ -1,8 +1,5 @@
 // turns.glsl -- how the normal turns over the footprint of a sample: normal_turns.cpp of the host.
 
-// Columns whose normals are compared with each other, from a multiple on.
-const uint kTurnColumns = 4;
-
 // What is compared of a sample.
 struct TurnSample {
   uint surface;
@@ -40,7 +37,7 @@ NormalChange change_across(PingAt ping, PlanTables plan, uint column, uint row) 
 // The turn from column to column: the mean of the differences to both neighbours; at the edges of kTurnColumns, of
 // those to the two on one side.
 vec3 turn_side(PingAt ping, PlanTables plan, uint column, uint row, vec3 normal, vec3 up) {
-  const int low = int(column / kTurnColumns * kTurnColumns), high = min(low + int(kTurnColumns), int(plan.columns)) - 1;
+  const int low = int(column) / kTurnColumns * kTurnColumns, high = min(low + kTurnColumns, int(plan.columns)) - 1;
   const bool at_edge = int(column) == low || int(column) == high;
   // Differences are named by their first column.
   const int near = int(column) == low ? low : int(column) - 1;

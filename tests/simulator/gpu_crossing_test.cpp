@@ -1,0 +1,113 @@
+// gpu_crossing_test.cpp -- engine `gpu` makes the pings of `cpu` whatever effects meet in them, and a batch of them in
+// one submission gives the bytes of pings made alone.
+
+#include "gpu/device.h"
+#include "simulator/crossing.h"
+
+namespace insonify::gpu_crossing_test {
+namespace {
+
+using namespace testing_scenes;
+
+// Sum of the differences over the sum of the intensities by which both engines may differ: single precision moves this
+// share of the energy to neighbouring bins. One of the random walks may meet the other side of an edge.
+constexpr double kApart = 1e-3, kApartWithWalks = 5e-3;
+
+// Share of the cells whose label may differ: those whose two strongest surfaces have nearly the same energy.
+constexpr double kOtherLabels = 5e-3;
+
+class GpuCrossingTest : public testing::TestWithParam<unsigned> {
+ protected:
+  void SetUp() override {
+    if (std::ranges::find(usable_engines(), "gpu") == usable_engines().end()) {
+      GTEST_SKIP() << "no device of Vulkan here";
+    }
+  }
+};
+
+// The scene without what gpu does not compute yet.
+Scene scene_for_both(unsigned effects) {
+  Scene scene = crossing_scene(effects);
+  for (Instance& instance : scene.instances) {
+    instance.reliefs.clear();
+  }
+  return scene;
+}
+
+// Why gpu does not make the pings of a crossing; "" where it does.
+std::string refusal(unsigned effects) {
+  if (engine_kind("gpu").complete) {
+    return "";
+  }
+  if ((effects & kGlass) != 0) {
+    return "transmission is not computed yet";
+  }
+  return (effects & kSea) != 0 && (effects & kPaper) == 0 ? "the sea surface is not computed yet" : "";
+}
+
+void expect_alike(const Ping& gpu, const Ping& cpu, bool walks) {
+  EXPECT_LE(apart(cpu, gpu), walks ? kApartWithWalks : kApart);
+  ASSERT_EQ(gpu.instance.size(), cpu.instance.size());
+  std::size_t others = 0;
+  for (std::size_t cell = 0; cell < cpu.instance.size(); ++cell) {
+    others += gpu.instance[cell] != cpu.instance[cell] ? 1 : 0;
+  }
+  EXPECT_TRUE(walks || static_cast<double>(others) <= kOtherLabels * static_cast<double>(cpu.instance.size()))
+      << others << " of " << cpu.instance.size() << " labels";
+}
+
+TEST_P(GpuCrossingTest, GivesThePingsOfCpuAndBatchesTheBytesOfPingsMadeAlone) {
+  const unsigned effects = GetParam();
+  if (const std::string why = refusal(effects); !why.empty()) {
+    GTEST_SKIP() << why;
+  }
+  const Scene scene = scene_for_both(effects);
+  Simulator cpu(crossing_scenario(effects, "cpu"), scene, 2, crossing_objects());
+  CrossingOrders expected(cpu.scenario(), effects);
+  cpu.ping(expected.orders);
+  Simulator gpu(crossing_scenario(effects, "gpu"), scene, 2, crossing_objects());
+  CrossingOrders alone(gpu.scenario(), effects), batch(gpu.scenario(), effects);
+  for (const PingOrder& order : alone.orders) {
+    gpu.ping({&order, 1});
+  }
+  gpu.ping(batch.orders);
+  for (std::size_t i = 0; i < batch.pings.size(); ++i) {
+    SCOPED_TRACE(testing::Message() << "ping " << i);
+    expect_alike(batch.pings[i], expected.pings[i], (effects & kWalks) != 0);
+    expect_same(batch.pings[i], alone.pings[i]);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Effects, GpuCrossingTest, testing::ValuesIn(kCrossings));
+
+class GpuSubmissionTest : public GpuCrossingTest {};
+INSTANTIATE_TEST_SUITE_P(Models, GpuSubmissionTest, testing::Values(kPaper, 0U),
+                         [](const auto& test) { return test.param == kPaper ? "Paper" : "Calibrated"; });
+
+// Three sonars of different sizes, and objects elsewhere from ping to ping. Two submissions: the probe rays that decide
+// how many hits reflect, and the pings. Sources of echoes have their rays traced in a few more, a round each.
+TEST_P(GpuSubmissionTest, AllSonarsOfAVehicleAreOneSubmission) {
+  const unsigned effects = GetParam() | kTwo | kHead | kMoved;
+  Scenario scenario = crossing_scenario(effects, "gpu");
+  scenario.max_surfaces = 2;
+  Simulator simulator(scenario, scene_for_both(effects), 2, crossing_objects());
+  CrossingOrders batch(simulator.scenario(), effects);
+  simulator.ping(batch.orders);  // Memory grows to what the pings need.
+  const auto submissions_of = [&](std::span<const PingOrder> orders) {
+    const std::uint64_t before = gpu::Commands::submissions;
+    simulator.ping(orders);
+    return gpu::Commands::submissions - before;
+  };
+  std::uint64_t most_alone = 0;
+  for (const PingOrder& order : batch.orders) {
+    most_alone = std::max(most_alone, submissions_of({&order, 1}));
+  }
+  simulator.ping(batch.orders);
+  EXPECT_EQ(submissions_of(batch.orders), most_alone);
+  if (GetParam() == kPaper) {
+    EXPECT_EQ(most_alone, 2U);
+  }
+}
+
+}  // namespace
+}  // namespace insonify::gpu_crossing_test
