@@ -85,6 +85,29 @@ TEST(HitLawTest, ReachIsTheChangeOfRangeAcrossTheColumn) {
   EXPECT_DOUBLE_EQ(precise::sideways_on_cone(0.5, 0.3, 1, 0), 1);  // As at a cosine of 0.2.
 }
 
+// The tangent plane is followed to at most 1.5 times the 4 bins that the neighbour is away.
+TEST(HitLawTest, SegmentsExtendBeyondASurfaceByItsLastInterval) {
+  EXPECT_EQ(extended_to(20, 16, 23), 23);
+  EXPECT_EQ(extended_to(20, 16, 27), 26);
+  EXPECT_EQ(extended_to(20, 16, 15), 15);
+  EXPECT_EQ(extended_to(20, 24, 13), 14);
+  EXPECT_EQ(extended_to(20, 24, -INFINITY), 14);
+  EXPECT_EQ(extended_to(20, 24, NAN), 14);
+}
+
+// The golden section of a turn is (sqrt 5 - 1)/2.
+TEST(SelectionLawTest, ColumnsStartAGoldenSectionApart) {
+  EXPECT_EQ(selection_start(0, 7), 7U);
+  EXPECT_NEAR(selection_start(1, 0) / 4294967296.0, 0.6180339887, 1e-9);
+  EXPECT_EQ(selection_start(2, 7), 2 * kGoldenTurn + 7);  // Modulo 2^32.
+}
+
+// A mirror that reflects all of 0.2 sr, where the greatest solid angle is 0.1 sr: sqrt(1 x 0.2 x 5) = 1.
+TEST(SelectionLawTest, TwiceTheGreatestSolidAngleIsFull) {
+  EXPECT_EQ(full_energy_scale(0.1F), 5);
+  EXPECT_EQ(full_energy_scale(0), 0);
+}
+
 // A quarter of a turn is 2^30 of 2^32.
 TEST(SelectionLawTest, HitsCountByTheInverseOfTheirShare) {
   EXPECT_EQ(share_in_turns(0.25F), 1U << 30);

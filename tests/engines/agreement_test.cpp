@@ -21,20 +21,22 @@ constexpr double kEnergyTolerance = 1e-4;
 // foci.
 constexpr double kOrderTolerances[] = {kEnergyTolerance, 5 * kEnergyTolerance, 50 * kEnergyTolerance};
 
-// Sum |a - b| / sum a over all path orders together.
-double whole_difference(const EchoGrid& a, const EchoGrid& b) {
-  double apart = 0, sum = 0;
-  for (int order = 1; order <= kPathOrders; ++order) {
-    apart += difference(a, b, order) * total(a, order);
-    sum += total(a, order);
-  }
-  return sum > 0 ? apart / sum : apart;
-}
+// Path orders with less than this share of the energy are not compared alone: they are far out on a lobe's tail, where
+// single precision leaves two digits.
+constexpr double kLeastShare = 1e-8;
 
 void expect_agreement(const EchoGrid& a, const EchoGrid& b, int seed) {
-  EXPECT_LE(whole_difference(a, b), kEnergyTolerance) << "seed " << seed;
+  double apart = 0, sum = 0;  // Sum |a - b| and sum a over all path orders.
   for (int order = 1; order <= kPathOrders; ++order) {
-    EXPECT_LE(difference(a, b, order), kOrderTolerances[order - 1]) << "order " << order << ", seed " << seed;
+    const double whole = total(a, order);
+    apart += whole > 0 ? difference(a, b, order) * whole : total(b, order);
+    sum += whole;
+  }
+  EXPECT_LE(apart, kEnergyTolerance * sum) << "seed " << seed;
+  for (int order = 1; order <= kPathOrders; ++order) {
+    if (std::max(total(a, order), total(b, order)) > kLeastShare * sum) {
+      EXPECT_LE(difference(a, b, order), kOrderTolerances[order - 1]) << "order " << order << ", seed " << seed;
+    }
   }
 }
 
