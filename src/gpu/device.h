@@ -93,8 +93,7 @@ class Buffer {
     return static_cast<Value*>(mapped_);
   }
 
-  /// Makes a buffer of at least so many bytes, half as much again as was asked for, unless this one suffices: contents
-  /// are lost.
+  /// Keeps the buffer where it has room for `bytes`; else makes one half as large again, and contents are lost.
   void reserve(Device& device, std::size_t bytes, Memory memory);
 
  private:
@@ -141,7 +140,8 @@ class Commands {
   /// Most groups in one row of groups, which all devices take. Tests lower it.
   static inline std::uint32_t most_groups = 65535;
 
-  /// Runs so many groups of a kernel, in as many rows along z as they need, for each of `views` along y.
+  /// Runs `groups` groups of a kernel for each of `views`. Views lie along y, groups along x, in several rows along z
+  /// where there are more than most_groups.
   template <typename Push>
   void run(const Kernel& kernel, const Push& push, std::uint32_t groups, std::uint32_t views = 1) {
     static_assert(sizeof(Push) <= kPushBytes);

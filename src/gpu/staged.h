@@ -10,7 +10,7 @@ namespace insonify::gpu {
 /// has changed.
 class StagedBuffer {
  public:
-  /// Room for so many bytes, which the host fills in; address() is valid afterwards. Not while commands that copy it
+  /// Memory for the host to fill in; address() is valid afterwards. Not while commands that copy it
   /// are under way.
   [[nodiscard]] std::byte* refill(Device& device, std::size_t bytes) {
     host_.reserve(device, bytes, Memory::kToDevice);

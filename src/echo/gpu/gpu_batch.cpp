@@ -226,7 +226,7 @@ void GpuBatch::read(std::span<const PingView> views) {
     commands_.submit();
     commands_.wait();
   }
-  constexpr int kBeams = 8;  // A task reads so many.
+  constexpr int kBeams = 8;  // In a task.
   scratch_.resize(static_cast<std::size_t>(workers_.count()));
   for_each_view([&](std::size_t view, Workers& workers, int view_worker) {
     const PingMemory& memory = pings_[view]->memory;

@@ -115,7 +115,7 @@ std::vector<float> full_shares(const Lattice& lattice) {
   return scales;
 }
 
-// PlanTables and the tables, as they will be from an address on.
+// Writes PlanTables and the tables as they will be on the device from the address `start` on.
 void pack(const FlatPlan& plan, const std::vector<float>& bin_scale, shader::address start,
           std::vector<std::byte>& bytes) {
   bytes.resize(sizeof(shader::PlanTables));

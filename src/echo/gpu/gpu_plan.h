@@ -21,7 +21,7 @@ class GpuPlan {
  public:
   void set(gpu::Device& device, const FlatPlan& plan);
 
-  /// Records what is new.
+  /// Records the copy to the device, where the plan has changed.
   void copy(gpu::Commands& commands) { buffer_.copy(commands); }
 
   /// Address of the shader::PlanTables.

@@ -10,7 +10,7 @@
 
 namespace insonify {
 
-/// Groups that are needed for so many invocations, or other things of which a group has `each`.
+/// Number of groups of `each` that hold `count`.
 [[nodiscard]] constexpr std::uint32_t groups_for(std::uint32_t count, std::uint32_t each = shader::kGroup) {
   return (count + each - 1) / each;
 }

@@ -140,7 +140,7 @@ std::array<unsigned, kSlots> slots_of(const Branch& branch, const LeafBox& box) 
   return slots;
 }
 
-// Exponent of the unit in which 255 reach as far as a box.
+// Exponent of the unit in which a box is at most 255 long.
 int exponent_of(float size) {
   constexpr int kLeast = -126;
   int exponent = kLeast;
