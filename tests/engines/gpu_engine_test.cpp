@@ -1,12 +1,19 @@
 // gpu_engine_test.cpp -- what engine `gpu` adds to those on the host: devices, sums that do not depend on order, lists
 // that grow. On Mesa's driver for the processor, unless INSONIFY_DEVICE names a card.
 
+#include <gmock/gmock.h>
+
+#include <array>
+#include <cstdlib>
+#include <cstring>
 #include <map>
+#include <span>
 #include <thread>
 #include <utility>
 
+#include "echo/gpu/gpu_batch.h"
 #include "echo/gpu/gpu_plan.h"
-#include "echo/gpu/read_grid.h"
+#include "echo/gpu/shaders/layout.h"
 #include "engines/random_scene.h"
 #include "gpu/device.h"
 #include "support/message_of.h"
@@ -15,6 +22,7 @@ namespace insonify::gpu_engine_test {
 namespace {
 
 using namespace testing_scenes;
+using testing::ElementsAre;
 
 class GpuEngineTest : public testing::Test {
  protected:
@@ -126,27 +134,62 @@ TEST_F(GpuEngineTest, ListsOfSurfacesGrow) {
   }
 }
 
-// Two invocations that both find a surface missing in a list both add it.
-TEST(SurfaceListTest, SumsOfASurfaceThatIsListedTwiceAreAdded) {
-  const shader::SurfaceSum sums[] = {{.key = 7, .next = 3, .energy = 10, .moment = -4, .square = 2},
-                                     {.key = 9, .next = 0, .energy = 99, .moment = 99, .square = 99},
-                                     {.key = 5, .next = 4, .energy = 20, .moment = 6, .square = 3},
-                                     {.key = 7, .next = 0, .energy = 30, .moment = 1, .square = 5}};
-  std::vector<shader::SurfaceSum> found;
-  const std::span<const shader::SurfaceSum> merged = surfaces_of_list(sums, 1, found);
-  ASSERT_EQ(merged.size(), 2U);
-  EXPECT_EQ(merged[0].key, 5U);
-  EXPECT_EQ(merged[0].energy, 20);
-  EXPECT_EQ(merged[0].moment, 6);
-  EXPECT_EQ(merged[0].square, 3);
-  EXPECT_EQ(merged[1].key, 7U);
-  EXPECT_EQ(merged[1].energy, 10 + 30);
-  EXPECT_EQ(merged[1].moment, -4 + 1);
-  EXPECT_EQ(merged[1].square, 2 + 5);
-  const std::span<const shader::SurfaceSum> one = surfaces_of_list(sums, 2, found);
-  ASSERT_EQ(one.size(), 1U);
-  EXPECT_EQ(one[0].key, 9U);
-  EXPECT_EQ(one[0].energy, 99);
+// Two invocations that both find a surface missing in a list both add it. The list has 6 twice, together as strong as
+// 8: the lower label is the cell's.
+TEST_F(GpuEngineTest, SumsOfASurfaceThatIsListedTwiceAreAdded) {
+  constexpr auto kOne = static_cast<std::int64_t>(shader::kUnits);
+  gpu::Device device(std::getenv("INSONIFY_DEVICE"));
+  const gpu::Buffer memory(device, 4096, gpu::Memory::kToHost);
+  std::memset(memory.data(), 0, memory.bytes());
+  const auto at = [&](std::size_t place) { return memory.address() + place; };
+  const auto put = [&](std::size_t place, const auto& value) {
+    std::memcpy(memory.data() + place, &value, sizeof(value));
+  };
+  put(0, shader::PingAt{.plan = at(512),
+                        .cells = {.energy = at(1024),
+                                  .weight = at(1032),
+                                  .first_surface = at(1040),
+                                  .surfaces = at(1048),
+                                  .counter = at(1280),
+                                  .met_before = at(1312),
+                                  .most_surfaces = 4,
+                                  .labelled = 2},
+                        .layers = {.energy = at(2048),
+                                   .weight = at(2052),
+                                   .surface = at(2056),
+                                   .surface_energy = at(2060),
+                                   .moment = at(2064),
+                                   .square = at(2068),
+                                   .further = at(2072),
+                                   .used = at(2144),
+                                   .met_before = at(2152),
+                                   .orders = 1}});
+  put(512, shader::PlanTables{.beams = 1, .bins = 1, .bin_scale = at(1320)});
+  put(1320, 2.0F);
+  put(1024, std::array<std::int64_t, 2>{100 * kOne, 3 * kOne});
+  put(1040, 2U);
+  put(1048, std::array<shader::SurfaceSum, 4>{
+                {{.key = 7, .next = 3, .energy = 10 * kOne, .moment = -4 * kOne, .square = 2 * kOne},
+                 {.key = 9, .next = 1, .energy = 40 * kOne, .moment = 8 * kOne, .square = 4 * kOne},
+                 {.key = 5, .next = 4, .energy = 20 * kOne, .moment = 6 * kOne, .square = 3 * kOne},
+                 {.key = 7, .next = 0, .energy = 30 * kOne, .moment = 1 * kOne, .square = 5 * kOne}}});
+  const PingKernels kernels(device);
+  gpu::Commands commands(device);
+  commands.begin();
+  commands.run(kernels.gather, shader::PingJob{at(0), 0, gpu::Commands::most_groups}, 1);
+  commands.submit();
+  commands.wait();
+  const auto* layers = reinterpret_cast<const float*>(memory.data() + 2048);
+  EXPECT_EQ(layers[0], 50);  // Energy and weight, of which the weight is not scaled by the bin.
+  EXPECT_EQ(layers[1], 3);
+  EXPECT_EQ(reinterpret_cast<const std::uint32_t*>(layers)[2], 6U);
+  EXPECT_THAT(std::span(layers + 3, 3), ElementsAre(20, -1.5F, 3.5F));
+  EXPECT_EQ(reinterpret_cast<const shader::Counters*>(memory.data() + 1280)->further, 2U);
+  const auto* further = reinterpret_cast<const shader::FurtherSum*>(memory.data() + 2072);
+  EXPECT_EQ(further[0].surface, 4U);
+  EXPECT_EQ(further[0].energy, 10);
+  EXPECT_EQ(further[1].surface, 8U);
+  EXPECT_EQ(further[1].moment, 4);
 }
 
 // 200 rows are three blocks of kSelectionRows and one of eight rows, in each of which the sum of probabilities starts
@@ -216,11 +259,12 @@ TEST_F(GpuEngineTest, StepsAreNamedAfterTheirShaders) {
     }
     return names;
   };
-  EXPECT_EQ(steps_of(EchoModel::kPaper), (std::vector<std::string_view>{"clear", "trace_primaries", "evaluate",
-                                                                        "select", "deposit", "reflect", "copy"}));
+  EXPECT_EQ(steps_of(EchoModel::kPaper),
+            (std::vector<std::string_view>{"clear", "trace_primaries", "evaluate", "select", "deposit", "reflect",
+                                           "gather", "copy"}));
   EXPECT_EQ(steps_of(EchoModel::kCalibrated),
             (std::vector<std::string_view>{"clear", "trace_primaries", "turn_up", "evaluate", "select", "deposit",
-                                           "mirror", "copy"}));
+                                           "mirror", "gather", "copy"}));
 }
 
 // As with more samples than the groups of one row have invocations.

@@ -37,6 +37,9 @@ constexpr std::uint32_t kMirror[] = {
 constexpr std::uint32_t kReflect[] = {
 #include "shaders/reflect.inc"
 };
+constexpr std::uint32_t kGather[] = {
+#include "shaders/gather.inc"
+};
 
 static_assert(shader::kSampleNone == static_cast<std::uint32_t>(SecondarySampling::kNone) &&
               shader::kSampleSome == static_cast<std::uint32_t>(SecondarySampling::kSome) &&
@@ -44,7 +47,7 @@ static_assert(shader::kSampleNone == static_cast<std::uint32_t>(SecondarySamplin
 
 // Groups of each step for the view that needs most.
 struct GroupCounts {
-  std::uint32_t tiles = 0, samples = 0, intervals = 0, blocks = 0;
+  std::uint32_t tiles = 0, samples = 0, intervals = 0, blocks = 0, cells = 0;
 
   explicit GroupCounts(std::span<const PingView> views) {
     for (const PingView& view : views) {
@@ -54,6 +57,7 @@ struct GroupCounts {
       samples = std::max(samples, groups_for(columns * rows));
       intervals = std::max(intervals, groups_for(columns * (rows + 1)));
       blocks = std::max(blocks, groups_for(columns * groups_for(rows, kSelectionRows)));
+      cells = std::max(cells, groups_for(static_cast<std::uint32_t>(view.plan->beam_count * view.plan->bin_count)));
     }
   }
 };
@@ -68,14 +72,15 @@ PingKernels::PingKernels(gpu::Device& device)
       deposit(device, "deposit", kDeposit),
       count_groups(device, "count_groups", kCountGroups),
       reflect(device, "reflect", kReflect),
-      mirror(device, "mirror", kMirror) {}
+      mirror(device, "mirror", kMirror),
+      gather(device, "gather", kGather) {}
 
 GpuBatch::GpuBatch(GpuWorld& world, const PingKernels& kernels, Workers& workers)
     : HostBatch(workers), world_(world), kernels_(kernels), commands_(world.device) {}
 
 // As many as fit into a part of the device's memory.
 std::size_t GpuBatch::capacity(std::span<const PingView> views) const {
-  constexpr std::size_t kBytesPerSample = 64, kBytesPerCell = 120, kMostViews = 256;
+  constexpr std::size_t kBytesPerSample = 64, kBytesPerCell = 180, kMostViews = 64;
   const std::size_t most = world_.device.info().memory / 4;
   std::size_t count = 0, bytes = 0;
   for (const PingView& view : views.first(std::min(kMostViews, views.size()))) {
@@ -144,6 +149,7 @@ void GpuBatch::fill_jobs(std::span<const PingView> views) {
                                 .sampling = static_cast<std::uint32_t>(sampling_[i]),
                                 .samples = ping.memory.samples(),
                                 .cells = ping.memory.cells(),
+                                .layers = ping.memory.layers(),
                                 .reflecting = ping.memory.reflecting()};
     std::memcpy(to, &job, sizeof(job));
   }
@@ -187,12 +193,14 @@ void GpuBatch::record(std::span<const PingView> views) {
   for (std::uint32_t i = 0; i < count; ++i) {
     const PingMemory& memory = pings_[i]->memory;
     commands_.run_indirect(calibrated ? kernels_.mirror : kernels_.reflect,
-                           shader::PingJob{jobs_.address(), i, gpu::Commands::most_groups}, memory.sums(),
-                           memory.counters_offset() + offsetof(shader::Counters, groups));
+                           shader::PingJob{jobs_.address(), i, gpu::Commands::most_groups}, memory.counted(),
+                           offsetof(shader::Counters, groups));
   }
   finish_step(calibrated ? "mirror" : "reflect");
+  commands_.run(kernels_.gather, all, groups.cells, count);
+  finish_step("gather");
   for (std::uint32_t i = 0; i < count; ++i) {
-    pings_[i]->memory.copy_sums(commands_);
+    pings_[i]->memory.copy_layers(world_.device, commands_);
   }
   finish_step("copy");
   commands_.submit();
@@ -221,21 +229,19 @@ void GpuBatch::read(std::span<const PingView> views) {
   if (std::ranges::any_of(pings, [](const auto& ping) { return ping->memory.has_rest(); })) {
     commands_.begin();
     for (const auto& ping : pings) {
-      ping->memory.copy_rest(commands_);
+      ping->memory.copy_rest(world_.device, commands_);
     }
     commands_.submit();
     commands_.wait();
   }
   constexpr int kBeams = 8;  // In a task.
-  scratch_.resize(static_cast<std::size_t>(workers_.count()));
-  for_each_view([&](std::size_t view, Workers& workers, int view_worker) {
+  for_each_view([&](std::size_t view, Workers& workers, int) {
     const PingMemory& memory = pings_[view]->memory;
     const FlatPlan& plan = *views[view].plan;
-    const std::span<const float> bin_scale = plans_.at(&plan).bin_scale();
-    workers.for_each((plan.beam_count + kBeams - 1) / kBeams, [&](int task, int worker) {
-      read_beams(memory, bin_scale, task * kBeams, std::min((task + 1) * kBeams, plan.beam_count),
-                 scratch_[view_worker + worker], *grids_[view]);
+    workers.for_each((plan.beam_count + kBeams - 1) / kBeams, [&](int task, int) {
+      read_beams(memory, task * kBeams, std::min((task + 1) * kBeams, plan.beam_count), *grids_[view]);
     });
+    read_further_surfaces(memory, *grids_[view]);
     counts_[view] = {.primary = static_cast<std::uint64_t>(plan.lattice.columns) * plan.lattice.rows,
                      .secondary = probes_[view].rays.size() + memory.counters().reflected,
                      .return_legs = memory.counters().returns};

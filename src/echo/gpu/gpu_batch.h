@@ -19,7 +19,7 @@ namespace insonify {
 struct PingKernels {
   explicit PingKernels(gpu::Device& device);
 
-  gpu::Kernel trace_primaries, turn_up, evaluate, select, deposit, count_groups, reflect, mirror;
+  gpu::Kernel trace_primaries, turn_up, evaluate, select, deposit, count_groups, reflect, mirror, gather;
 };
 
 /// All pings of a batch are computed in one submission.
@@ -59,7 +59,6 @@ class GpuBatch final : public HostBatch {
   std::vector<std::string_view> steps_;       // Names of the steps that record() has recorded.
   std::vector<double> step_seconds_;          // [step]
   std::vector<RayRun> probes_;
-  std::vector<std::vector<shader::SurfaceSum>> scratch_;  // [worker]
 };
 
 }  // namespace insonify

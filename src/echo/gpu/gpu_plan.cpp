@@ -116,8 +116,7 @@ std::vector<float> full_shares(const Lattice& lattice) {
 }
 
 // Writes PlanTables and the tables as they will be on the device from the address `start` on.
-void pack(const FlatPlan& plan, const std::vector<float>& bin_scale, shader::address start,
-          std::vector<std::byte>& bytes) {
+void pack(const FlatPlan& plan, shader::address start, std::vector<std::byte>& bytes) {
   bytes.resize(sizeof(shader::PlanTables));
   Packer packer(start, bytes);
   const Lattice& lattice = plan.lattice;
@@ -132,7 +131,7 @@ void pack(const FlatPlan& plan, const std::vector<float>& bin_scale, shader::add
     tables.reciprocal = packer.add(lattice.reciprocal);
     tables.full_share = packer.add(full_shares(lattice));
   }
-  tables.bin_scale = packer.add(bin_scale);
+  tables.bin_scale = packer.add(bin_scales(plan));
   tables.cos_azimuth = packer.add(lattice.cos_azimuth);
   tables.sin_azimuth = packer.add(lattice.sin_azimuth);
   tables.azimuth = packer.add(lattice.azimuth);
@@ -166,14 +165,13 @@ std::vector<float> bin_scales(const FlatPlan& plan) {
 }
 
 void GpuPlan::set(gpu::Device& device, const FlatPlan& plan) {
-  bin_scale_ = bin_scales(plan);
-  pack(plan, bin_scale_, 0, bytes_);
+  pack(plan, 0, bytes_);
   if (bytes_ == before_) {
     return;
   }
   before_ = bytes_;
   std::byte* const to = buffer_.refill(device, bytes_.size());
-  pack(plan, bin_scale_, buffer_.address(), bytes_);
+  pack(plan, buffer_.address(), bytes_);
   std::memcpy(to, bytes_.data(), bytes_.size());
 }
 

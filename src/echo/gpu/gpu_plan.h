@@ -2,7 +2,6 @@
 
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "echo/gpu/shaders/layout.h"
@@ -27,11 +26,7 @@ class GpuPlan {
   /// Address of the shader::PlanTables.
   [[nodiscard]] std::uint64_t address() const { return buffer_.address(); }
 
-  /// bin_scales() of the plan.
-  [[nodiscard]] std::span<const float> bin_scale() const { return bin_scale_; }
-
  private:
-  std::vector<float> bin_scale_;
   std::vector<std::byte> bytes_, before_;  // PlanTables and the tables, with offsets instead of addresses.
   gpu::StagedBuffer buffer_;
 };

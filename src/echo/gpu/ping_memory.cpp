@@ -7,12 +7,21 @@
 #include "gpu/staged.h"
 
 namespace insonify {
-void PingMemory::reserve(gpu::Device& device, const PingView& view) {
-  const FlatPlan& plan = *view.plan;
+namespace {
+
+// A share of cells, but few, have more than one surface.
+constexpr std::size_t kCellsPerFurther = 16;
+
+bool is_labelled(const PingView& view) {
+  return view.layers.labelled || view.layers.ground_truth != GroundTruth::kNone;
+}
+
+}  // namespace
+
+void PingMemory::reserve_work(gpu::Device& device, const FlatPlan& plan) {
   const std::size_t samples = static_cast<std::size_t>(plan.lattice.columns) * plan.lattice.rows;
-  const std::size_t cells = static_cast<std::size_t>(plan.beam_count) * plan.bin_count;
-  gpu::BufferLayout work;
   const bool turns = plan.model == EchoModel::kCalibrated;
+  gpu::BufferLayout work;
   samples_ = {.surface = work.take(samples * 4),
               .triangle = work.take(samples * 4),
               .range = work.take(samples * 4),
@@ -29,26 +38,54 @@ void PingMemory::reserve(gpu::Device& device, const PingView& view) {
         &samples_.facing, &samples_.power, &samples_.joined, &samples_.turn_up, &reflecting_}) {
     *part += work_.address();
   }
+}
 
-  cells_of_orders_ = cells * static_cast<std::size_t>(view.layers.orders);
-  const std::size_t met_offset = 2 * cells_of_orders_ * sizeof(std::int64_t);
-  counters_offset_ = met_offset + static_cast<std::size_t>(plan.beam_count) * sizeof(std::int64_t);
-  first_surface_offset_ = counters_offset_ + sizeof(shader::Counters);
-  sums_bytes_ = first_surface_offset_ + cells * sizeof(std::uint32_t);
+void PingMemory::reserve_sums(gpu::Device& device, std::size_t beams) {
+  const std::size_t all_orders = cell_count_ * layers_.orders * sizeof(std::int64_t);
+  gpu::BufferLayout sums;
+  cells_.energy = sums.take(all_orders);
+  cells_.weight = sums.take(all_orders);
+  cells_.met_before = sums.take(beams * sizeof(std::int64_t));
+  cells_.first_surface = sums.take(cells_.labelled != 0 ? cell_count_ * sizeof(std::uint32_t) : 0);
+  sums_bytes_ = sums.end();
   sums_.reserve(device, sums_bytes_, gpu::Memory::kDevice);
-  host_sums_.reserve(device, sums_bytes_, gpu::Memory::kToHost);
-  const bool labelled = view.layers.labelled || view.layers.ground_truth != GroundTruth::kNone;
-  cells_ = {.energy = sums_.address(),
-            .weight = sums_.address() + cells_of_orders_ * sizeof(std::int64_t),
-            .first_surface = sums_.address() + first_surface_offset_,
-            .surfaces = cells_.surfaces,
-            .counter = sums_.address() + counters_offset_,
-            .met_before = sums_.address() + met_offset,
-            .most_surfaces = 0,
-            .labelled = !labelled                                        ? 0U
-                        : view.layers.ground_truth == GroundTruth::kFull ? 2U
-                                                                         : 1U};
-  reserve_surfaces(device, labelled ? static_cast<std::uint32_t>(cells) : 1);
+  for (shader::address* part : {&cells_.energy, &cells_.weight, &cells_.met_before, &cells_.first_surface}) {
+    *part += sums_.address();
+  }
+}
+
+void PingMemory::reserve_layers(gpu::Device& device, std::size_t beams) {
+  const std::size_t layer = cell_count_ * 4, labels = cells_.labelled != 0 ? layer : 0;
+  gpu::BufferLayout parts;
+  cells_.counter = parts.take(sizeof(shader::Counters));
+  layers_.used = parts.take(beams * 8);
+  zeroed_bytes_ = parts.end();
+  layers_.met_before = parts.take(beams * 4);
+  layers_.energy = parts.take(layer * layers_.orders);
+  layers_.weight = parts.take(layer * layers_.orders);
+  layers_.surface = parts.take(labels);
+  layers_.surface_energy = parts.take(labels);
+  layers_.moment = parts.take(labels);
+  layers_.square = parts.take(cells_.labelled > 1 ? layer : 0);
+  layer_bytes_ = parts.end();
+  to_host_.reserve(device, layer_bytes_, gpu::Memory::kDevice);
+  host_.reserve(device, layer_bytes_, gpu::Memory::kToHost);
+  for (shader::address* part : {&cells_.counter, &layers_.used, &layers_.met_before, &layers_.energy, &layers_.weight,
+                                &layers_.surface, &layers_.surface_energy, &layers_.moment, &layers_.square}) {
+    *part += to_host_.address();
+  }
+}
+
+void PingMemory::reserve(gpu::Device& device, const PingView& view) {
+  const FlatPlan& plan = *view.plan;
+  const auto beams = static_cast<std::size_t>(plan.beam_count);
+  cell_count_ = beams * plan.bin_count;
+  layers_.orders = static_cast<std::uint32_t>(view.layers.orders);
+  cells_.labelled = !is_labelled(view) ? 0U : view.layers.ground_truth == GroundTruth::kFull ? 2U : 1U;
+  reserve_work(device, plan);
+  reserve_sums(device, beams);
+  reserve_layers(device, beams);
+  reserve_surfaces(device, cells_.labelled != 0 ? static_cast<std::uint32_t>(cell_count_) : 1);
 }
 
 void PingMemory::reserve_surfaces(gpu::Device& device, std::uint32_t surfaces) {
@@ -58,11 +95,13 @@ void PingMemory::reserve_surfaces(gpu::Device& device, std::uint32_t surfaces) {
   }
   cells_.surfaces = surfaces_.address();
   cells_.most_surfaces = static_cast<std::uint32_t>(surfaces_.bytes() / sizeof(shader::SurfaceSum));
-  host_surfaces_.reserve(device, surfaces_.bytes(), gpu::Memory::kToHost);
+  further_.reserve(device, cells_.most_surfaces * sizeof(shader::FurtherSum), gpu::Memory::kDevice);
+  layers_.further = further_.address();
 }
 
 void PingMemory::clear(gpu::Commands& commands) const {
   commands.fill(sums_, 0, sums_bytes_, 0);
+  commands.fill(to_host_, 0, zeroed_bytes_, 0);
   if (used_surfaces_ > 0) {
     commands.fill(surfaces_, 0, used_surfaces_ * sizeof(shader::SurfaceSum), 0);
   }
@@ -78,29 +117,26 @@ bool PingMemory::enough_room(gpu::Device& device) {
   return false;
 }
 
-void PingMemory::copy_sums(gpu::Commands& commands) {
-  commands.copy(sums_, 0, host_sums_, 0, sums_bytes_);
-  copied_surfaces_ = std::min(used_surfaces_ + used_surfaces_ / 4, cells_.most_surfaces);
-  copy_surfaces(commands, 0, copied_surfaces_);
-}
-
-void PingMemory::copy_rest(gpu::Commands& commands) const {
-  copy_surfaces(commands, copied_surfaces_, used_surfaces_);
-}
-
-void PingMemory::copy_surfaces(gpu::Commands& commands, std::uint32_t first, std::uint32_t last) const {
-  if (cells_.labelled != 0 && last > first) {
-    const std::size_t offset = first * sizeof(shader::SurfaceSum);
-    commands.copy(surfaces_, offset, host_surfaces_, offset, last * sizeof(shader::SurfaceSum) - offset);
+void PingMemory::copy_layers(gpu::Device& device, gpu::Commands& commands) {
+  commands.copy(to_host_, 0, host_, 0, layer_bytes_);
+  if (cells_.labelled != 0) {
+    const auto some = static_cast<std::uint32_t>(cell_count_ / kCellsPerFurther);
+    copy_further(device, commands,
+                 std::clamp(copied_further_, std::min(some, cells_.most_surfaces), cells_.most_surfaces));
   }
 }
 
-const shader::Counters& PingMemory::counters() const {
-  return *reinterpret_cast<const shader::Counters*>(host_sums_.data() + counters_offset_);
+void PingMemory::copy_rest(gpu::Device& device, gpu::Commands& commands) {
+  copy_further(device, commands, std::min(counters().further + counters().further / 4, cells_.most_surfaces));
 }
 
-const std::uint32_t* PingMemory::first_surface() const {
-  return reinterpret_cast<const std::uint32_t*>(host_sums_.data() + first_surface_offset_);
+void PingMemory::copy_further(gpu::Device& device, gpu::Commands& commands, std::uint32_t count) {
+  copied_further_ = count;
+  if (count == 0) {
+    return;
+  }
+  host_further_.reserve(device, count * sizeof(shader::FurtherSum), gpu::Memory::kToHost);
+  commands.copy(further_, 0, host_further_, 0, count * sizeof(shader::FurtherSum));
 }
 
 }  // namespace insonify

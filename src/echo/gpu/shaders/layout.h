@@ -194,7 +194,24 @@ struct Counters {
   uint reflected;  ///< Hits that reflect a ray.
   uint returns;    ///< Return legs traced.
   uint groups[3];  ///< Groups of the kernel that reflects them.
-  uint unused;     ///< So that counters of a ping are a whole number of 64-bit words.
+  uint further;    ///< FurtherSums that the host is given.
+};
+
+/// What the host reads of a ping: the Cells as an EchoGrid has them. `square` is there where labelled is 2.
+struct GridLayers {
+  address energy, weight;                           ///< float[order][beam][bin]
+  address surface, surface_energy, moment, square;  ///< uint or float[beam][bin]: the strongest surface of a cell.
+  address further;                                  ///< FurtherSum[]
+  address used;        ///< uint[beam][2]: bins after the first that is used, and the last of these + 1; 0: none.
+  address met_before;  ///< float[beam]
+  uint orders;
+};
+
+/// A surface of a cell that is not its strongest. Those of a cell follow each other.
+struct FurtherSum {
+  uint cell;     ///< beam x bins + bin
+  uint surface;  ///< SurfaceLabel
+  float energy, moment, square;
 };
 
 /// A hit that reflects a ray.
@@ -213,6 +230,7 @@ struct PingAt {
   uint sampling;           ///< SecondarySampling
   Samples samples;
   Cells cells;
+  GridLayers layers;
   address reflecting;  ///< Reflecting[columns * rows]
 };
 
