@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <memory>
 #include <type_traits>
@@ -20,6 +21,14 @@ class Workers {
   ~Workers();
 
   [[nodiscard]] int count() const { return count_; }
+
+  /// Length of the parts that `count` things are divided into, each a task: a multiple of `step` up to `most`, short
+  /// enough for some parts a worker.
+  [[nodiscard]] int part_length(int count, int step, int most) const {
+    constexpr int kPartsPerWorker = 4;
+    const int parts = kPartsPerWorker * count_ * step;
+    return std::clamp((count + parts - 1) / parts * step, step, most);
+  }
 
   /// One worker: the calling thread. It stops when this object does. For the steps of a task that itself runs in
   /// for_each().

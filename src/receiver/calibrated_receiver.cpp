@@ -11,9 +11,9 @@
 namespace insonify {
 namespace {
 
-constexpr int kBinsPerTask = 64;
-constexpr int kLookedUpBins =
-    16;  // The same where gains are looked up: near bins, each with its own, take the longest.
+// Bins of a task that forms beams; kLeastBins also where gains are looked up: near bins, each with its own, take the
+// longest.
+constexpr int kLeastBins = 16, kMostBins = 64;
 
 // energy += volume x unblocked
 INSONIFY_VECTOR_CLONES
@@ -145,7 +145,7 @@ void CalibratedReceiver::form_beams(const EchoGrid& grid, Workers& workers) {
   for (int cell = 0; cell < cells_; ++cell) {
     received = received | received_bins(grid, cell);
   }
-  const int per_task = bearing_->keeps_all() ? kBinsPerTask : kLookedUpBins;
+  const int per_task = bearing_->keeps_all() ? workers.part_length(bins_, kLeastBins, kMostBins) : kLeastBins;
   workers.for_each((bins_ + per_task - 1) / per_task, [&](int task, int) {
     const BinRange bins{task * per_task, std::min((task + 1) * per_task, bins_)};
     if (!of_cells_.field.empty()) {

@@ -16,7 +16,7 @@ constexpr int kLeastTaps = 8, kMostTaps = 64;
 constexpr double kTapsPerPulse = 12;  // Length of the filter in equivalent lengths of the pulse.
 constexpr int kMostFitted = 32;       // Tones longer than so many bins are filtered by a sum over their length.
 constexpr double kReach = 16;         // Orthogonal beams on either side that a beam is formed from.
-constexpr int kValuesPerTask = 128;
+constexpr int kLeastValues = 32, kMostValues = 128;  // Values that a task forms beams of.
 
 // Bohman's window: 1 at 0 with slope 0, 0 at 1 and beyond. Its transform is non-negative, so that a correlation
 // multiplied by it remains positive semidefinite.
@@ -149,10 +149,10 @@ void NoiseField::draw(std::uint64_t ping, Workers& workers) {
   });
   if (gains_) {
     const int values = 2 * bins_;
-    workers.for_each((values + kValuesPerTask - 1) / kValuesPerTask, [&](int task, int) {
-      const int first = task * kValuesPerTask;
-      gains_->multiply(row_values_.data(), beam_values_.data(), values, first,
-                       std::min(first + kValuesPerTask, values));
+    const int per_task = workers.part_length(values, kLeastValues, kMostValues);
+    workers.for_each((values + per_task - 1) / per_task, [&](int task, int) {
+      const int first = task * per_task;
+      gains_->multiply(row_values_.data(), beam_values_.data(), values, first, std::min(first + per_task, values));
     });
   }
 }
