@@ -54,7 +54,7 @@ RayCounts Simulator::ray_counts() const {
 }
 
 std::vector<StepTime> Simulator::step_times() const {
-  return state_->runner ? state_->runner->step_times() : std::vector<StepTime>();
+  return state_->step_times;
 }
 
 EngineMemory Simulator::engine_memory() const {

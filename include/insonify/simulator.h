@@ -162,7 +162,8 @@ class Simulator {
 
   [[nodiscard]] EngineMemory engine_memory() const;
 
-  /// Time of each step of the last batch on the device; empty for engines that compute on the host.
+  /// Time of each step of the last call of ping() on the device, all batches together; empty for engines that compute
+  /// on the host.
   [[nodiscard]] std::vector<StepTime> step_times() const;
 
   /// Lower limit of a ping's computing time: how long the ray-tracing library alone takes for its rays. Packets are set

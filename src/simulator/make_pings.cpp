@@ -29,6 +29,13 @@ PingView view_of(const SimulatedSonar& sonar, const PingRequest& request, const 
           .vehicle_from_sonar = sonar.vehicle_from_housing * head};
 }
 
+void add_times(const std::vector<StepTime>& more, std::vector<StepTime>& sums) {
+  for (const StepTime& step : more) {
+    const auto found = std::ranges::find(sums, step.step, &StepTime::step);
+    found == sums.end() ? sums.push_back(step) : void(found->seconds += step.seconds);
+  }
+}
+
 // Positions of the thrusters, which one source has found.
 std::span<const std::optional<Vec3>> thrusters_in(const SourceSet& sources) {
   for (const AskingSource& source : sources) {
@@ -125,6 +132,7 @@ SourceSet* Simulator::State::sources_of(SimulatedSonar& sonar, std::size_t slot)
 }
 
 void Simulator::State::make(std::span<const PingOrder> orders) {
+  step_times.clear();
   for (std::size_t start = 0; start < orders.size(); start += kAtOnce) {
     const std::span<const PingOrder> some = orders.subspan(start, std::min(kAtOnce, orders.size() - start));
     std::exception_ptr refused;
@@ -164,6 +172,7 @@ void Simulator::State::make_batch(std::span<const PingOrder> orders, std::span<c
   Receiver receiver(*this, orders, first);
   runner->run(views, sources_, receiver);
   ray_counts = runner->ray_counts(views.size() - 1);
+  add_times(runner->step_times(), step_times);
 }
 
 }  // namespace insonify

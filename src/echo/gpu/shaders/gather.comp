@@ -7,25 +7,62 @@
 
 layout(local_size_x = kGroup) in;
 
-layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer ListedSums { SurfaceSum at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 8) buffer ListedSums { SurfaceSum at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) writeonly buffer FurtherSums { FurtherSum at[]; };
 
 float number_of(int64_t fixed_point) {
   return float(fixed_point) * (1.0 / kUnits);
 }
 
-// The sums of the surface with the lowest label of those above `key`; key 0 where there is none. A surface may have been
-// listed more than once.
-SurfaceSum next_surface(ListedSums list, uint head, uint key) {
-  SurfaceSum sum = SurfaceSum(0, 0, 0, 0, 0);
-  for (uint at = head; at != 0; at = list.at[at - 1].next) {
-    const SurfaceSum one = list.at[at - 1];
-    if (one.key <= key || (sum.key != 0 && one.key > sum.key)) {
-      continue;
+// Takes the first entry off the list that begins at `from`, and appends it to the one that ends at `last`.
+void move_entry(ListedSums list, inout uint from, inout uint first, inout uint last) {
+  if (last == 0) {
+    first = from;
+  } else {
+    list.at[last - 1].next = from;
+  }
+  last = from;
+  from = list.at[from - 1].next;
+}
+
+// Sorts a list by its keys, by merging runs that are twice as long in each pass; returns its new beginning. (One
+// insertion after another would take too long where a cell has hundreds of surfaces, and Mesa's driver for the processor
+// ends loops after 65 535 turns.)
+uint sorted(ListedSums list, uint first) {
+  for (uint length = 1, merged = 2; merged > 1; length *= 2) {
+    uint one = first, last = 0;
+    first = 0;
+    for (merged = 0; one != 0; ++merged) {
+      uint other = one, in_one = 0, in_other = length;
+      for (; in_one < length && other != 0; ++in_one) {
+        other = list.at[other - 1].next;
+      }
+      while (in_one > 0 || (in_other > 0 && other != 0)) {
+        const bool from_one =
+            in_one > 0 && (in_other == 0 || other == 0 || list.at[one - 1].key <= list.at[other - 1].key);
+        if (from_one) {
+          move_entry(list, one, first, last);
+          --in_one;
+        } else {
+          move_entry(list, other, first, last);
+          --in_other;
+        }
+      }
+      one = other;
     }
-    const bool other = one.key != sum.key;
-    sum = other ? one
-                : SurfaceSum(one.key, 0, one.energy + sum.energy, one.moment + sum.moment, one.square + sum.square);
+    list.at[last - 1].next = 0;
+  }
+  return first;
+}
+
+// The sums of the surface whose entries begin at `at` in a sorted list, which may have been listed more than once; `at`
+// becomes the next surface's.
+SurfaceSum next_surface(ListedSums list, inout uint at) {
+  SurfaceSum sum = list.at[at - 1];
+  for (at = sum.next; at != 0 && list.at[at - 1].key == sum.key; at = list.at[at - 1].next) {
+    sum.energy += list.at[at - 1].energy;
+    sum.moment += list.at[at - 1].moment;
+    sum.square += list.at[at - 1].square;
   }
   return sum;
 }
@@ -40,25 +77,33 @@ void write_strongest(GridLayers to, uint cell, SurfaceSum sum, float scale, bool
 }
 
 void gather_surfaces(PingAt ping, uint cell, float scale) {
-  const uint head = Uints(ping.cells.first_surface).at[cell];
+  const uint listed = Uints(ping.cells.first_surface).at[cell];
+  const bool squares = ping.cells.labelled > 1;
   ListedSums list = ListedSums(ping.cells.surfaces);
-  SurfaceSum strongest = next_surface(list, head, 0);
+  SurfaceSum strongest = SurfaceSum(0, 0, 0, 0, 0);
+  if (listed == 0) {
+    write_strongest(ping.layers, cell, strongest, scale, squares);
+    return;
+  }
+  const uint head = sorted(list, listed);
   uint count = 0;
-  for (SurfaceSum sum = strongest; sum.key != 0; sum = next_surface(list, head, sum.key)) {
-    ++count;
-    if (number_of(sum.energy) > number_of(strongest.energy)) {
+  for (uint at = head; at != 0; ++count) {
+    const SurfaceSum sum = next_surface(list, at);
+    if (strongest.key == 0 || number_of(sum.energy) > number_of(strongest.energy)) {
       strongest = sum;
     }
   }
-  write_strongest(ping.layers, cell, strongest, scale, ping.cells.labelled > 1);
-  if (count > 1) {
-    uint place = atomicAdd(CountersAt(ping.cells.counter).counters.further, count - 1);
-    for (SurfaceSum sum = next_surface(list, head, 0); sum.key != 0; sum = next_surface(list, head, sum.key)) {
-      if (sum.key != strongest.key) {
-        FurtherSums(ping.layers.further).at[place++] =
-            FurtherSum(cell, sum.key - 1, number_of(sum.energy) / scale, number_of(sum.moment) / scale,
-                       number_of(sum.square) / scale);
-      }
+  write_strongest(ping.layers, cell, strongest, scale, squares);
+  if (count < 2) {
+    return;
+  }
+  uint place = atomicAdd(CountersAt(ping.cells.counter).counters.further, count - 1);
+  for (uint at = head; at != 0;) {
+    const SurfaceSum sum = next_surface(list, at);
+    if (sum.key != strongest.key) {
+      FurtherSums(ping.layers.further).at[place++] =
+          FurtherSum(cell, sum.key - 1, number_of(sum.energy) / scale, number_of(sum.moment) / scale,
+                     number_of(sum.square) / scale);
     }
   }
 }
