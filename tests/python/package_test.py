@@ -177,6 +177,17 @@ class PingTest(unittest.TestCase):
         with self.assertRaisesRegex(insonify.Error, "at least one"):
             sim.ping_batch("ahead", [])
 
+    def test_tensor_libraries_take_arrays_without_a_copy(self):
+        sim = simulator()
+        ping, batch = sim.ping("ahead"), sim.ping_batch("ahead", [(0, 0, 0), (1, 0, 0)])
+        for array in (ping.intensity, ping.instance, ping.elevation, batch["intensity"], batch["instance"]):
+            self.assertTrue(np.shares_memory(np.from_dlpack(array), array))
+        kept = np.from_dlpack(ping.intensity)
+        values = ping.intensity.copy()
+        del ping
+        sim.ping("ahead", (2, 0, 0))
+        np.testing.assert_array_equal(kept, values)
+
     def test_objects_move_come_and_go(self):
         scene = floor_scene()
         box = [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)]
