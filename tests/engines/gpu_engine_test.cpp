@@ -100,6 +100,43 @@ TEST_F(GpuEngineTest, ARepeatedPingHasTheSameBytes) {
   }
 }
 
+// Gives up at one view, as when a run is interrupted.
+class StoppingReceiver final : public EchoReceiver {
+ public:
+  void receive(std::size_t view, const EchoGrid&, Workers&, int) override {
+    if (view == 3) {
+      throw Error("stop");
+    }
+  }
+};
+
+// 40 views take three submissions, of which the last ones are under way when the receiver gives up.
+TEST_F(GpuEngineTest, PartsOfABatchGiveTheBytesOfPingsAloneAlsoAfterOneWasGivenUp) {
+  constexpr std::size_t kViews = 40;
+  const RandomScene random(4);
+  const FlatPlanSettings settings{.sonar = random.sonar, .secondary = SecondaryEchoes::kAll};
+  const std::shared_ptr<const FlatPlan> plan = make_flat_plan(settings);
+  Workers workers(2);
+  const std::unique_ptr<Engine> engine = make_engine("gpu", workers);
+  engine->set_scene(random.scene);
+  std::vector<PingView> views(kViews, {.plan = plan.get(), .world_from_sonar = random.pose});
+  for (std::size_t i = 0; i < kViews; ++i) {
+    views[i].world_from_sonar.position.x() += 0.05 * static_cast<double>(i);
+  }
+  const std::unique_ptr<EchoBatch> together = engine->make_batch(), alone = engine->make_batch();
+  ASSERT_EQ(together->capacity(views), kViews);
+  const std::vector<std::span<const EchoList* const>> no_echoes(kViews);
+  StoppingReceiver stopping;
+  together->start(views);
+  EXPECT_THROW(together->receive(no_echoes, stopping), Error);
+  std::ranges::reverse(views);
+  together->start(views);
+  for (std::size_t i = 0; i < kViews; ++i) {
+    alone->start({&views[i], 1});
+    expect_same_bytes(together->map(i), alone->map(0));
+  }
+}
+
 // Four cells of a thousand objects each: far more than there is room for at first.
 TEST_F(GpuEngineTest, ListsOfSurfacesGrow) {
   SceneMaker maker;

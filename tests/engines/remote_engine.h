@@ -74,18 +74,13 @@ class RemoteBatch final : public EchoBatch {
     }
   }
 
-  void add(std::span<const std::span<const EchoList* const>> lists) override {
+  void receive(std::span<const std::span<const EchoList* const>> lists, EchoReceiver& receiver) override {
     for (std::size_t view = 0; view < views_.size(); ++view) {
+      EchoGrid copy = grids_[view];
       for (const EchoList* list : lists[view]) {
-        std::ranges::for_each(list->spread, [&](const Echo& echo) { deposit(*views_[view].plan, echo, grids_[view]); });
-        std::ranges::copy(list->discrete, std::back_inserter(grids_[view].discrete_echoes()));
+        std::ranges::for_each(list->spread, [&](const Echo& echo) { deposit(*views_[view].plan, echo, copy); });
+        std::ranges::copy(list->discrete, std::back_inserter(copy.discrete_echoes()));
       }
-    }
-  }
-
-  void receive(EchoReceiver& receiver) override {
-    for (std::size_t view = 0; view < views_.size(); ++view) {
-      const EchoGrid copy = grids_[view];
       receiver.receive(view, copy, engine_.workers_, 0);
     }
   }

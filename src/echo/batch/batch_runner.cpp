@@ -136,7 +136,7 @@ void BatchRunner::answer() {
   });
 }
 
-void BatchRunner::add() {
+void BatchRunner::list_echoes() {
   lists_.clear();
   lists_of_views_.clear();
   for (const SourceSet* sources : sources_) {
@@ -149,20 +149,20 @@ void BatchRunner::add() {
     lists_of_views_.push_back(std::span(lists_).subspan(first, sources->size()));
     first += sources->size();
   }
-  batch_->add(lists_of_views_);
 }
 
+// Sources come first, whose rays would wait for what a device has begun.
 void BatchRunner::run(std::span<const PingView> views, std::span<SourceSet* const> sources, EchoReceiver& receiver) {
   assert(views.size() == sources.size());
   views_ = views;
   sources_ = sources;
-  batch_->start(views);
   ask();
   while (trace()) {
     answer();
   }
-  add();
-  batch_->receive(receiver);
+  list_echoes();
+  batch_->start(views);
+  batch_->receive(lists_of_views_, receiver);
 }
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// batch_runner.h -- computes batches of pings: the samples of the fans, then the echoes of all sources, then receivers.
+// batch_runner.h -- computes batches of pings: the echoes of all sources, then the samples of the fans, then receivers.
 
 #pragma once
 
@@ -37,7 +37,7 @@ class BatchRunner {
   bool trace();
   void trace_behind();
   void answer();
-  void add();
+  void list_echoes();
   template <typename Run>
   void for_each_view(const Run& run);
 

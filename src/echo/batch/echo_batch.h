@@ -33,25 +33,23 @@ class EchoBatch {
   /// Number of views, from the first on, that one batch can hold: at least 1.
   [[nodiscard]] virtual std::size_t capacity(std::span<const PingView> views) const = 0;
 
-  /// Empties the batch and computes the echoes of the samples of each view's fan. Results depend on the views alone,
-  /// not on what else is in the batch, nor on threads.
+  /// Empties the batch and computes the echoes of the samples of each view's fan, or begins to. Results depend on the
+  /// views alone, not on what else is in the batch, nor on threads.
   /// @param views  At most capacity(views). Must stay valid until the next start().
   virtual void start(std::span<const PingView> views) = 0;
 
-  /// Adds echoes to the grids, in this order: the sums do not depend on threads.
+  /// Adds echoes to each view's grid, in this order, and passes it to the receiver: the first views while a device
+  /// still computes the last.
   /// @param lists  [view][source]
-  virtual void add(std::span<const std::span<const EchoList* const>> lists) = 0;
+  virtual void receive(std::span<const std::span<const EchoList* const>> lists, EchoReceiver& receiver) = 0;
 
-  /// Passes each view's grid to the receiver.
-  virtual void receive(EchoReceiver& receiver) = 0;
-
-  /// The grid of one view, to be read on the host until the next call.
+  /// The grid of one view, without echoes of sources, to be read on the host until the next call.
   [[nodiscard]] virtual const EchoGrid& map(std::size_t view) = 0;
 
-  /// Rays that start() traced for one view.
+  /// Rays that were traced for one view, when it has been received.
   [[nodiscard]] virtual RayCounts ray_counts(std::size_t view) const = 0;
 
-  /// Time of each step of start() on a device; none on the host.
+  /// Time of each step on a device, when all has been received; none on the host.
   [[nodiscard]] virtual std::vector<StepTime> step_times() const { return {}; }
 };
 

@@ -75,28 +75,34 @@ void HostBatch::start(std::span<const PingView> views) {
   insonify(views);
 }
 
-void HostBatch::add(std::span<const std::span<const EchoList* const>> lists) {
-  for_each_view([&](std::size_t view, Workers& workers, int) {
-    EchoGrid& grid = *grids_[view];
-    bool any = false;
-    for (const EchoList* list : lists[view]) {
-      any = any || !list->spread.empty();
-      grid.discrete_echoes().insert(grid.discrete_echoes().end(), list->discrete.begin(), list->discrete.end());
-    }
-    if (any) {
-      deposit_together(*views_[view].plan, workers, grid, [&](const auto& add_one) {
-        for (const EchoList* list : lists[view]) {
-          std::ranges::for_each(list->spread, add_one);
-        }
-      });
-      grid.keep_spare_surfaces();
-    }
+void HostBatch::add(std::span<const EchoList* const> lists, std::size_t view, Workers& workers) {
+  EchoGrid& grid = *grids_[view];
+  bool any = false;
+  for (const EchoList* list : lists) {
+    any = any || !list->spread.empty();
+    grid.discrete_echoes().insert(grid.discrete_echoes().end(), list->discrete.begin(), list->discrete.end());
+  }
+  if (any) {
+    deposit_together(*views_[view].plan, workers, grid, [&](const auto& add_one) {
+      for (const EchoList* list : lists) {
+        std::ranges::for_each(list->spread, add_one);
+      }
+    });
+    grid.keep_spare_surfaces();
+  }
+}
+
+void HostBatch::receive(std::span<const std::span<const EchoList* const>> lists, EchoReceiver& receiver) {
+  for_each_view([&](std::size_t view, Workers& workers, int worker) {
+    finish(view, workers);
+    add(lists[view], view, workers);
+    receiver.receive(view, *grids_[view], workers, worker);
   });
 }
 
-void HostBatch::receive(EchoReceiver& receiver) {
-  for_each_view(
-      [&](std::size_t view, Workers& workers, int worker) { receiver.receive(view, *grids_[view], workers, worker); });
+const EchoGrid& HostBatch::map(std::size_t view) {
+  finish(view, workers_);
+  return *grids_[view];
 }
 
 }  // namespace insonify

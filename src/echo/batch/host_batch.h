@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <vector>
 
@@ -18,39 +19,42 @@ class HostBatch : public EchoBatch {
 
   [[nodiscard]] std::size_t capacity(std::span<const PingView> views) const override;
   void start(std::span<const PingView> views) final;
-  void add(std::span<const std::span<const EchoList* const>> lists) final;
-  void receive(EchoReceiver& receiver) final;
-  [[nodiscard]] const EchoGrid& map(std::size_t view) final { return *grids_[view]; }
+  void receive(std::span<const std::span<const EchoList* const>> lists, EchoReceiver& receiver) final;
+  [[nodiscard]] const EchoGrid& map(std::size_t view) final;
   [[nodiscard]] RayCounts ray_counts(std::size_t view) const final { return counts_[view]; }
 
  protected:
-  /// Fills the views' grids, which hold the echoes of an earlier ping.
+  /// Fills the views' grids, which hold the echoes of an earlier ping; on a device begins to.
   virtual void insonify(std::span<const PingView> views) = 0;
+
+  /// Where a device computes: waits until it has finished a view, and fills its grid. Calls for different views may run
+  /// at once.
+  virtual void finish([[maybe_unused]] std::size_t view, [[maybe_unused]] Workers& workers) {}
 
   /// Whether a batch of so many views is computed by a thread a view, rather than one view after another by all
   /// threads.
   [[nodiscard]] bool by_view(std::size_t views) const;
 
-  /// Calls run(view, workers, worker) for every view: by_view() on all threads at once.
+  /// Calls run(view, workers, worker) for every view, in order: by_view() on all threads at once.
   template <typename Run>
   void for_each_view(const Run& run);
 
   Workers& workers_;
   std::vector<std::unique_ptr<EchoGrid>> grids_;  ///< [view]; those after the last view are spare.
   std::vector<RayCounts> counts_;                 ///< [view]
+  std::span<const PingView> views_;
 
  private:
   void take_grids();
-
-  std::span<const PingView> views_;
+  void add(std::span<const EchoList* const> lists, std::size_t view, Workers& workers);
 };
 
 template <typename Run>
 void HostBatch::for_each_view(const Run& run) {
   const std::size_t count = views_.size();
   if (by_view(count)) {
-    workers_.for_each(static_cast<int>(count),
-                      [&](int view, int worker) { run(static_cast<std::size_t>(view), workers_.alone(), worker); });
+    std::atomic<std::size_t> next = 0;
+    workers_.for_each(static_cast<int>(count), [&](int, int worker) { run(next++, workers_.alone(), worker); });
     return;
   }
   for (std::size_t view = 0; view < count; ++view) {

@@ -45,6 +45,9 @@ static_assert(shader::kSampleNone == static_cast<std::uint32_t>(SecondarySamplin
               shader::kSampleSome == static_cast<std::uint32_t>(SecondarySampling::kSome) &&
               shader::kSampleAll == static_cast<std::uint32_t>(SecondarySampling::kAll));
 
+// Views that are computed in one submission: enough to fill a card.
+constexpr std::size_t kViewsOfPart = 16;
+
 // Groups of each step for the view that needs most.
 struct GroupCounts {
   std::uint32_t tiles = 0, samples = 0, intervals = 0, blocks = 0, cells = 0;
@@ -76,7 +79,7 @@ PingKernels::PingKernels(gpu::Device& device)
       gather(device, "gather", kGather) {}
 
 GpuBatch::GpuBatch(GpuWorld& world, const PingKernels& kernels, Workers& workers)
-    : HostBatch(workers), world_(world), kernels_(kernels), commands_(world.device) {}
+    : HostBatch(workers), world_(world), kernels_(kernels) {}
 
 // As many as fit into a part of the device's memory.
 std::size_t GpuBatch::capacity(std::span<const PingView> views) const {
@@ -133,13 +136,13 @@ void GpuBatch::prepare(std::span<const PingView> views) {
 }
 
 // Fills in where the kernels find what belongs to each ping.
-void GpuBatch::fill_jobs(std::span<const PingView> views) {
-  std::byte* to = jobs_.refill(world_.device, views.size() * sizeof(shader::PingAt));
-  for (std::size_t i = 0; i < views.size(); ++i, to += sizeof(shader::PingAt)) {
+void GpuBatch::fill_jobs(Part& part) {
+  std::byte* to = part.jobs.refill(world_.device, part.count * sizeof(shader::PingAt));
+  for (std::size_t i = part.first; i < part.first + part.count; ++i, to += sizeof(shader::PingAt)) {
     const Ping& ping = *pings_[i];
-    const Pose& pose = views[i].world_from_sonar;
+    const Pose& pose = views_[i].world_from_sonar;
     const Eigen::Matrix3d axes = pose.orientation.toRotationMatrix();
-    const shader::PingAt job = {.plan = plans_.at(views[i].plan).address(),
+    const shader::PingAt job = {.plan = plans_.at(views_[i].plan).address(),
                                 .scene = ping.placement.address(),
                                 .reflectivity = world_.reflectivity_on_device.address(),
                                 .sonar = plain(pose.position - world_.scene.origin()),
@@ -155,97 +158,142 @@ void GpuBatch::fill_jobs(std::span<const PingView> views) {
   }
 }
 
-void GpuBatch::record(std::span<const PingView> views) {
-  const GroupCounts groups(views);
-  const auto count = static_cast<std::uint32_t>(views.size());
-  const shader::PingJob all = {jobs_.address(), 0, gpu::Commands::most_groups};
+void GpuBatch::record(Part& part) {
+  const GroupCounts groups(views_.subspan(part.first, part.count));
+  const auto count = static_cast<std::uint32_t>(part.count);
+  const std::span<const std::unique_ptr<Ping>> pings = std::span(pings_).subspan(part.first, part.count);
+  gpu::Commands& commands = part.commands;
+  const shader::PingJob all = {part.jobs.address(), 0, gpu::Commands::most_groups};
   const auto finish_step = [&](std::string_view name) {
-    commands_.wait_for_writes();
-    commands_.stamp();
-    steps_.push_back(name);
+    commands.wait_for_writes();
+    commands.stamp();
+    part.steps.push_back(name);
   };
-  steps_.clear();
-  commands_.begin();
-  commands_.stamp();
+  part.steps.clear();
+  commands.begin();
+  commands.stamp();
   for (auto& [of, plan] : plans_) {
-    plan.copy(commands_);
+    plan.copy(commands);
   }
   for (std::uint32_t i = 0; i < count; ++i) {
-    pings_[i]->placement.buffer.copy(commands_);
-    pings_[i]->memory.clear(commands_);
+    pings[i]->placement.buffer.copy(commands);
+    pings[i]->memory.clear(commands);
   }
-  jobs_.copy(commands_);
+  part.jobs.copy(commands);
   finish_step("clear");
-  commands_.run(kernels_.trace_primaries, all, groups.tiles, count);
+  commands.run(kernels_.trace_primaries, all, groups.tiles, count);
   finish_step("trace_primaries");
-  const bool calibrated = views.front().plan->model == EchoModel::kCalibrated;
+  const bool calibrated = views_.front().plan->model == EchoModel::kCalibrated;
   if (calibrated) {
-    commands_.run(kernels_.turn_up, all, groups.samples, count);
+    commands.run(kernels_.turn_up, all, groups.samples, count);
     finish_step("turn_up");
   }
-  commands_.run(kernels_.evaluate, all, groups.samples, count);
+  commands.run(kernels_.evaluate, all, groups.samples, count);
   finish_step("evaluate");
-  commands_.run(kernels_.select, all, groups.blocks, count);
+  commands.run(kernels_.select, all, groups.blocks, count);
   finish_step("select");
-  commands_.run(kernels_.deposit, all, groups.intervals, count);
-  commands_.run(kernels_.count_groups, all, 1, count);
+  commands.run(kernels_.deposit, all, groups.intervals, count);
+  commands.run(kernels_.count_groups, all, 1, count);
   finish_step("deposit");
   for (std::uint32_t i = 0; i < count; ++i) {
-    const PingMemory& memory = pings_[i]->memory;
-    commands_.run_indirect(calibrated ? kernels_.mirror : kernels_.reflect,
-                           shader::PingJob{jobs_.address(), i, gpu::Commands::most_groups}, memory.counted(),
-                           offsetof(shader::Counters, groups));
+    const PingMemory& memory = pings[i]->memory;
+    commands.run_indirect(calibrated ? kernels_.mirror : kernels_.reflect,
+                          shader::PingJob{part.jobs.address(), i, gpu::Commands::most_groups}, memory.counted(),
+                          offsetof(shader::Counters, groups));
   }
   finish_step(calibrated ? "mirror" : "reflect");
-  commands_.run(kernels_.gather, all, groups.cells, count);
+  commands.run(kernels_.gather, all, groups.cells, count);
   finish_step("gather");
   for (std::uint32_t i = 0; i < count; ++i) {
-    pings_[i]->memory.copy_layers(world_.device, commands_);
+    pings[i]->memory.copy_layers(world_.device, commands);
   }
   finish_step("copy");
-  commands_.submit();
-  commands_.wait();
-  step_seconds_ = commands_.stamped();
+  commands.submit();
 }
 
 std::vector<StepTime> GpuBatch::step_times() const {
   std::vector<StepTime> times;
-  for (std::size_t i = 0; i < step_seconds_.size(); ++i) {
-    times.push_back({steps_[i], step_seconds_[i]});
+  for (const auto& part : parts_) {
+    for (std::size_t i = 0; i < part->step_seconds.size(); ++i) {
+      if (i == times.size()) {
+        times.push_back({part->steps[i], 0});
+      }
+      times[i].seconds += part->step_seconds[i];
+    }
   }
   return times;
 }
 
-bool GpuBatch::enough_room() {
+bool GpuBatch::enough_room(const Part& part) {
   bool enough = true;
-  for (std::size_t i = 0; i < sampling_.size(); ++i) {
+  for (std::size_t i = part.first; i < part.first + part.count; ++i) {
     enough = pings_[i]->memory.enough_room(world_.device) && enough;
   }
   return enough;
 }
 
-void GpuBatch::read(std::span<const PingView> views) {
-  const std::span<const std::unique_ptr<Ping>> pings = std::span(pings_).first(views.size());
-  if (std::ranges::any_of(pings, [](const auto& ping) { return ping->memory.has_rest(); })) {
-    commands_.begin();
-    for (const auto& ping : pings) {
-      ping->memory.copy_rest(world_.device, commands_);
-    }
-    commands_.submit();
-    commands_.wait();
+// Copies the further surfaces that there was no room for on the host.
+void GpuBatch::copy_rest(Part& part) {
+  const std::span<const std::unique_ptr<Ping>> pings = std::span(pings_).subspan(part.first, part.count);
+  if (std::ranges::none_of(pings, [](const auto& ping) { return ping->memory.has_rest(); })) {
+    return;
   }
+  part.commands.begin();
+  for (const auto& ping : pings) {
+    if (ping->memory.has_rest()) {
+      ping->memory.copy_rest(world_.device, part.commands);
+    }
+  }
+  part.commands.submit();
+  part.commands.wait();
+}
+
+void GpuBatch::start_part(Part& part) {
+  fill_jobs(part);
+  record(part);
+}
+
+void GpuBatch::finish_part(Part& part) {
+  part.commands.wait();
+  while (!enough_room(part)) {
+    start_part(part);
+    part.commands.wait();
+  }
+  part.step_seconds = part.commands.stamped();
+  copy_rest(part);
+}
+
+void GpuBatch::finish(std::size_t view, Workers& workers) {
+  {
+    const std::lock_guard alone(finishing_);
+    Part& part = *parts_[view / kViewsOfPart];
+    if (part.failure) {
+      std::rethrow_exception(part.failure);
+    }
+    try {
+      if (!part.finished) {
+        finish_part(part);
+      }
+      part.finished = true;
+    } catch (...) {
+      part.failure = std::current_exception();
+      throw;
+    }
+  }
+  read(view, workers);
+}
+
+void GpuBatch::read(std::size_t view, Workers& workers) {
   constexpr int kBeams = 8;  // In a task.
-  for_each_view([&](std::size_t view, Workers& workers, int) {
-    const PingMemory& memory = pings_[view]->memory;
-    const FlatPlan& plan = *views[view].plan;
-    workers.for_each((plan.beam_count + kBeams - 1) / kBeams, [&](int task, int) {
-      read_beams(memory, task * kBeams, std::min((task + 1) * kBeams, plan.beam_count), *grids_[view]);
-    });
-    read_further_surfaces(memory, *grids_[view]);
-    counts_[view] = {.primary = static_cast<std::uint64_t>(plan.lattice.columns) * plan.lattice.rows,
-                     .secondary = probes_[view].rays.size() + memory.counters().reflected,
-                     .return_legs = memory.counters().returns};
+  const PingMemory& memory = pings_[view]->memory;
+  const FlatPlan& plan = *views_[view].plan;
+  workers.for_each((plan.beam_count + kBeams - 1) / kBeams, [&](int task, int) {
+    read_beams(memory, task * kBeams, std::min((task + 1) * kBeams, plan.beam_count), *grids_[view]);
   });
+  read_further_surfaces(memory, *grids_[view]);
+  counts_[view] = {.primary = static_cast<std::uint64_t>(plan.lattice.columns) * plan.lattice.rows,
+                   .secondary = probes_[view].rays.size() + memory.counters().reflected,
+                   .return_legs = memory.counters().returns};
 }
 
 // Refuses what the kernels do not compute yet.
@@ -265,13 +313,23 @@ void GpuBatch::insonify(std::span<const PingView> views) {
   while (pings_.size() < views.size()) {
     pings_.push_back(std::make_unique<Ping>());
   }
+  for (const auto& part : parts_) {
+    part->commands.wait();  // Where receiving has been given up.
+    part->step_seconds.clear();
+  }
   choose_sampling(views);
   prepare(views);
-  do {
-    fill_jobs(views);
-    record(views);
-  } while (!enough_room());
-  read(views);
+  for (std::size_t first = 0, i = 0; first < views.size(); first += kViewsOfPart, ++i) {
+    if (i == parts_.size()) {
+      parts_.push_back(std::make_unique<Part>(world_.device));
+    }
+    Part& part = *parts_[i];
+    part.first = first;
+    part.count = std::min(kViewsOfPart, views.size() - first);
+    part.finished = false;
+    part.failure = nullptr;
+    start_part(part);
+  }
 }
 
 }  // namespace insonify

@@ -2,8 +2,10 @@
 
 #pragma once
 
+#include <exception>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string_view>
 #include <vector>
 
@@ -22,7 +24,8 @@ struct PingKernels {
   gpu::Kernel trace_primaries, turn_up, evaluate, select, deposit, count_groups, reflect, mirror, gather;
 };
 
-/// All pings of a batch are computed in one submission.
+/// The pings of a batch are computed in a few submissions, in order: the host receives the first while the device
+/// computes the last.
 class GpuBatch final : public HostBatch {
  public:
   GpuBatch(GpuWorld& world, const PingKernels& kernels, Workers& workers);
@@ -32,6 +35,7 @@ class GpuBatch final : public HostBatch {
 
  protected:
   void insonify(std::span<const PingView> views) override;
+  void finish(std::size_t view, Workers& workers) override;
 
  private:
   struct Ping {
@@ -40,24 +44,38 @@ class GpuBatch final : public HostBatch {
     SamplingProbes probes;
   };
 
+  // Neighbouring views that the device computes in one submission.
+  struct Part {
+    explicit Part(gpu::Device& device) : commands(device) {}
+
+    gpu::Commands commands;
+    gpu::StagedBuffer jobs;               // PingAt[view]
+    std::size_t first = 0, count = 0;     // Views.
+    std::vector<std::string_view> steps;  // Names of the steps that record() has recorded.
+    std::vector<double> step_seconds;     // [step], when it has finished.
+    bool finished = false;
+    std::exception_ptr failure;
+  };
+
   void refuse(const FlatPlan& plan) const;
   void choose_sampling(std::span<const PingView> views);
   void set_plans(std::span<const PingView> views);
   void prepare(std::span<const PingView> views);
-  void fill_jobs(std::span<const PingView> views);
-  void record(std::span<const PingView> views);
-  bool enough_room();
-  void read(std::span<const PingView> views);
+  void fill_jobs(Part& part);
+  void record(Part& part);
+  void start_part(Part& part);
+  void finish_part(Part& part);
+  bool enough_room(const Part& part);
+  void copy_rest(Part& part);
+  void read(std::size_t view, Workers& workers);
 
   GpuWorld& world_;
   const PingKernels& kernels_;
-  gpu::Commands commands_;
   std::map<const FlatPlan*, GpuPlan> plans_;
   std::vector<std::unique_ptr<Ping>> pings_;  // [view]
   std::vector<SecondarySampling> sampling_;   // [view]
-  gpu::StagedBuffer jobs_;                    // PingAt[view]
-  std::vector<std::string_view> steps_;       // Names of the steps that record() has recorded.
-  std::vector<double> step_seconds_;          // [step]
+  std::vector<std::unique_ptr<Part>> parts_;  // In the order of their views; those after the last view are spare.
+  std::mutex finishing_;                      // Of parts.
   std::vector<RayRun> probes_;
 };
 
