@@ -9,9 +9,10 @@ namespace {
 
 using namespace testing_scenes;
 
-// Sum of the differences over the sum of the intensities by which both engines may differ: single precision moves this
-// share of the energy to neighbouring bins. One of the random walks may meet the other side of an edge.
-constexpr double kApart = 1e-3, kApartWithWalks = 5e-3;
+// Sum of the differences over the sum of the intensities by which both engines may differ. Single precision moves 1e-4
+// of the energy to neighbouring bins, and speckle amplifies it: `cpu` differs from `reference`, which computes in
+// double precision, by up to 4.4e-3 in these pings.
+constexpr double kApart = 5e-3;
 
 // Share of the cells whose label may differ: those whose two strongest surfaces have nearly the same energy.
 constexpr double kOtherLabels = 5e-3;
@@ -45,8 +46,9 @@ std::string refusal(unsigned effects) {
   return (effects & kSea) != 0 && (effects & kPaper) == 0 ? "the sea surface is not computed yet" : "";
 }
 
+// With random walks labels are not compared: one walk may pass an edge on its other side.
 void expect_alike(const Ping& gpu, const Ping& cpu, bool walks) {
-  EXPECT_LE(apart(cpu, gpu), walks ? kApartWithWalks : kApart);
+  EXPECT_LE(apart(cpu, gpu), kApart);
   ASSERT_EQ(gpu.instance.size(), cpu.instance.size());
   std::size_t others = 0;
   for (std::size_t cell = 0; cell < cpu.instance.size(); ++cell) {
@@ -85,12 +87,10 @@ INSTANTIATE_TEST_SUITE_P(Models, GpuSubmissionTest, testing::Values(kPaper, 0U),
                          [](const auto& test) { return test.param == kPaper ? "Paper" : "Calibrated"; });
 
 // Three sonars of different sizes, and objects elsewhere from ping to ping. Two submissions: the probe rays that decide
-// how many hits reflect, and the pings. Sources of echoes have their rays traced in a few more, a round each.
+// how many hits reflect, and the pings. In the calibrated model sources of echoes may ask for rays, in one round more.
 TEST_P(GpuSubmissionTest, AllSonarsOfAVehicleAreOneSubmission) {
   const unsigned effects = GetParam() | kTwo | kHead | kMoved;
-  Scenario scenario = crossing_scenario(effects, "gpu");
-  scenario.max_surfaces = 2;
-  Simulator simulator(scenario, scene_for_both(effects), 2, crossing_objects());
+  Simulator simulator(crossing_scenario(effects, "gpu"), scene_for_both(effects), 2, crossing_objects());
   CrossingOrders batch(simulator.scenario(), effects);
   simulator.ping(batch.orders);  // Memory grows to what the pings need.
   const auto submissions_of = [&](std::span<const PingOrder> orders) {
@@ -98,14 +98,11 @@ TEST_P(GpuSubmissionTest, AllSonarsOfAVehicleAreOneSubmission) {
     simulator.ping(orders);
     return gpu::Commands::submissions - before;
   };
-  std::uint64_t most_alone = 0;
+  const std::uint64_t expected = GetParam() == kPaper ? 2 : 3;
+  EXPECT_EQ(submissions_of(batch.orders), expected);
   for (const PingOrder& order : batch.orders) {
-    most_alone = std::max(most_alone, submissions_of({&order, 1}));
-  }
-  simulator.ping(batch.orders);
-  EXPECT_EQ(submissions_of(batch.orders), most_alone);
-  if (GetParam() == kPaper) {
-    EXPECT_EQ(most_alone, 2U);
+    simulator.ping({&order, 1});
+    EXPECT_LE(submissions_of({&order, 1}), expected);
   }
 }
 

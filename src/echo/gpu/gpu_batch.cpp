@@ -107,7 +107,8 @@ void GpuBatch::choose_sampling(std::span<const PingView> views) {
   world_.trace(probes_);
   sampling_.clear();
   for (std::size_t i = 0; i < views.size(); ++i) {
-    sampling_.push_back(pings_[i]->probes.choose(*views[i].plan, world_.scene.origin(), world_.boxes));
+    sampling_.push_back(
+        pings_[i]->probes.choose(*views[i].plan, world_.scene.origin(), world_.boxes_at(views[i].placement)));
   }
 }
 

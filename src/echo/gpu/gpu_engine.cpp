@@ -13,12 +13,28 @@ namespace insonify {
 void GpuWorld::set(const Scene& of, bool paper, Workers& workers) {
   scene.set(of, paper, workers);
   reliefs.set(of, scene.origin());
-  boxes.set(of, scene.origin());
+  source_ = &of;
+  boxes_.set(of, scene.origin());
+  moved_.clear();
   reflectivity.clear();
   for (const Material& material : of.materials) {
     reflectivity.push_back(static_cast<float>(material.effective_reflectivity()));
   }
   gpu::upload(device, reflectivity, reflectivity_on_device);
+}
+
+const BoxCut& GpuWorld::boxes_at(const Placement* placement) {
+  const auto move = [&](int instance, const Pose& world_from_mesh) {
+    boxes_.move(instance, {world_from_mesh.position - scene.origin(), world_from_mesh.orientation});
+  };
+  for (const Placement::Moved& before : moved_) {
+    move(before.instance, source_->instances[static_cast<std::size_t>(before.instance)].world_from_mesh);
+  }
+  moved_ = placement == nullptr ? std::vector<Placement::Moved>() : placement->moved;
+  for (const Placement::Moved& now : moved_) {
+    move(now.instance, now.world_from_mesh);
+  }
+  return boxes_;
 }
 
 const EngineKind GpuEngine::kKind = {

@@ -20,13 +20,20 @@ struct GpuWorld {
   void set(const Scene& of, bool paper, Workers& workers);
   void trace(std::span<const RayRun> runs) { rays.trace(scene, reliefs, reflectivity, runs); }
 
+  /// Boxes around the instances where a placement has them; null: where the scene has them.
+  [[nodiscard]] const BoxCut& boxes_at(const Placement* placement);
+
   gpu::Device device;
   GpuScene scene;
   GpuRays rays;
   Reliefs reliefs;
-  BoxCut boxes;
   std::vector<float> reflectivity;     // [material]
   gpu::Buffer reflectivity_on_device;  // The same.
+
+ private:
+  const Scene* source_ = nullptr;
+  BoxCut boxes_;
+  std::vector<Placement::Moved> moved_;  // Instances whose boxes are not where the scene has them.
 };
 
 }  // namespace insonify
