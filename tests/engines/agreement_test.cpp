@@ -40,6 +40,16 @@ void expect_agreement(const EchoGrid& a, const EchoGrid& b, int seed) {
   }
 }
 
+// Solid angles that surfaces nearer than bin 0 block.
+void expect_same_blocked(const EchoGrid& a, const EchoGrid& b, int seed) {
+  double apart = 0, sum = 0;
+  for (int beam = 0; beam < a.beam_count(); ++beam) {
+    apart += std::abs(double{a.met_before(beam)} - double{b.met_before(beam)});
+    sum += double{a.met_before(beam)};
+  }
+  EXPECT_LE(apart, kEnergyTolerance * sum) << "seed " << seed;
+}
+
 // Labels must agree except in cells whose two strongest surfaces have nearly the same energy; the order of summation
 // decides there.
 void expect_same_labels(const EchoGrid& a, const EchoGrid& b, int seed) {
@@ -85,10 +95,23 @@ void expect_same_elevations(const EchoGrid& a, const EchoGrid& b, double apertur
   EXPECT_LE(squares_apart, kElevationTolerance * energy * aperture * aperture) << "seed " << seed;
 }
 
-// Settings of the calibrated model, each in some of the scenes: shapes of beams, arrays across bearings and elevations
-// that send, receive or both, and materials whose laws are tables over the angle of incidence.
+// Two groups of beams of different widths with a gap between them.
+BearingGrid groups_with_gap(const SonarConfig& sonar, BeamShape shape) {
+  const double aperture = sonar.azimuth_aperture;
+  BearingGrid cells = BearingGrid::even(0.3 * aperture, 0.3 * aperture, sonar.beam_count / 2);
+  cells.add(BearingGrid::even(-0.25 * aperture, 0.5 * aperture, sonar.beam_count - sonar.beam_count / 2));
+  cells.shape = shape;
+  return cells;
+}
+
+// Settings of the calibrated model, each in some of the scenes: shapes of beams, gaps between them, arrays across
+// bearings and elevations that send, receive or both, ranges that begin beyond some of the objects, and materials whose
+// laws are tables over the angle of incidence.
 FlatPlanSettings calibrated_settings(RandomScene& random, int seed) {
   SonarConfig& sonar = random.sonar;
+  if (seed % 10 > 6) {
+    sonar.min_range = 0.3 * sonar.max_range;
+  }
   for (std::size_t i = 0; i < random.scene.materials.size(); ++i) {
     Material& material = random.scene.materials[i];
     if (seed % 5 == 1) {
@@ -110,6 +133,13 @@ FlatPlanSettings calibrated_settings(RandomScene& random, int seed) {
                             .seed = static_cast<std::uint64_t>(seed)};
   if (seed % 8 > 5) {
     settings.sent_across = ElevationWay{ArraySettings{}, 0.5 * sonar.elevation_aperture};
+  }
+  if (seed % 6 == 5) {
+    settings.cells = groups_with_gap(sonar, settings.beam_shape);
+    settings.columns_per_cell = 3;
+  }
+  if (seed % 11 == 4) {
+    settings.max_surfaces = 2;
   }
   if (seed % 7 == 3) {  // One array sends and receives.
     for (int beam = 0; beam < sonar.beam_count; ++beam) {
@@ -204,6 +234,7 @@ TEST_P(EngineAgreementTest, GivesTheCalibratedEchoesOfTheReference) {
     expect_agreement(reference, echoes, seed);
     expect_same_labels(reference, echoes, seed);
     expect_same_elevations(reference, echoes, settings.sonar.elevation_aperture, seed);
+    expect_same_blocked(reference, echoes, seed);
   }
 }
 
