@@ -238,6 +238,31 @@ TEST_P(EngineAgreementTest, GivesTheCalibratedEchoesOfTheReference) {
   }
 }
 
+// A sphere before two beams: across the gap between them its normals turn by far more than within a beam.
+TEST_P(EngineAgreementTest, NormalsOfDifferentGroupsOfBeamsAreNotCompared) {
+  SonarConfig sonar;
+  sonar.beam_count = 2;
+  sonar.bin_count = 100;
+  sonar.max_range = 10;
+  sonar.elevation_aperture = radians_from_degrees(20);
+  sonar.sampling = {.columns_per_beam = 2, .rows = 40};
+  const Scene scene = SceneMaker().add_sphere({6, 0.1, 0.2}, 1.2, 0.8, 0.05).scene();
+  for (const int columns : {1, 2}) {
+    FlatPlanSettings settings{.sonar = sonar,
+                              .columns_per_cell = columns,
+                              .model = EchoModel::kCalibrated,
+                              .materials = scene.materials,
+                              .secondary = SecondaryEchoes::kNone};
+    for (const double port_edge : {8, -2}) {
+      settings.cells.add(radians_from_degrees(port_edge - 3), radians_from_degrees(port_edge),
+                         radians_from_degrees(port_edge - 6));
+    }
+    const EchoGrid reference = echoes_of("reference", scene, settings);
+    EXPECT_GT(total(reference, 1), 0);
+    expect_agreement(reference, echoes_of(GetParam(), scene, settings), columns);
+  }
+}
+
 // Bodies and bed behind and within plates and nets; those of every third scene have none, and some are opaque.
 TEST_P(EngineAgreementTest, SeesThroughSurfacesAsTheReferenceDoes) {
   if (!engine_kind(GetParam()).complete) {
