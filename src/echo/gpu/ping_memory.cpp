@@ -89,12 +89,13 @@ void PingMemory::reserve(gpu::Device& device, const PingView& view) {
 }
 
 void PingMemory::reserve_surfaces(gpu::Device& device, std::uint32_t surfaces) {
+  const std::size_t before = surfaces_.bytes();
   surfaces_.reserve(device, surfaces * sizeof(shader::SurfaceSum), gpu::Memory::kDevice);
-  if (surfaces_.address() != cells_.surfaces) {
-    used_surfaces_ = surfaces;
-  }
   cells_.surfaces = surfaces_.address();
   cells_.most_surfaces = static_cast<std::uint32_t>(surfaces_.bytes() / sizeof(shader::SurfaceSum));
+  if (surfaces_.bytes() != before) {
+    used_surfaces_ = cells_.most_surfaces;  // New memory, larger than was asked for, holds anything.
+  }
   further_.reserve(device, cells_.most_surfaces * sizeof(shader::FurtherSum), gpu::Memory::kDevice);
   layers_.further = further_.address();
 }
