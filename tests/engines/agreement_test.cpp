@@ -96,10 +96,12 @@ void expect_same_elevations(const EchoGrid& a, const EchoGrid& b, double apertur
 }
 
 // Two groups of beams of different widths with a gap between them.
-BearingGrid groups_with_gap(const SonarConfig& sonar, BeamShape shape) {
-  const double aperture = sonar.azimuth_aperture;
-  BearingGrid cells = BearingGrid::even(0.3 * aperture, 0.3 * aperture, sonar.beam_count / 2);
-  cells.add(BearingGrid::even(-0.25 * aperture, 0.5 * aperture, sonar.beam_count - sonar.beam_count / 2));
+// @param first  Share of the aperture that the first group covers, 0..0.9.
+BearingGrid groups_with_gap(const SonarConfig& sonar, BeamShape shape, double first) {
+  const double aperture = sonar.azimuth_aperture, second = 0.9 - first;
+  const int count = sonar.beam_count / 2;
+  BearingGrid cells = BearingGrid::even((0.5 - 0.5 * first) * aperture, first * aperture, count);
+  cells.add(BearingGrid::even((0.5 * second - 0.5) * aperture, second * aperture, sonar.beam_count - count));
   cells.shape = shape;
   return cells;
 }
@@ -135,7 +137,7 @@ FlatPlanSettings calibrated_settings(RandomScene& random, int seed) {
     settings.sent_across = ElevationWay{ArraySettings{}, 0.5 * sonar.elevation_aperture};
   }
   if (seed % 6 == 5) {
-    settings.cells = groups_with_gap(sonar, settings.beam_shape);
+    settings.cells = groups_with_gap(sonar, settings.beam_shape, seed % 12 == 5 ? 0.6 : 0.3);
     settings.columns_per_cell = 3;
   }
   if (seed % 11 == 4) {

@@ -14,6 +14,7 @@
 #include "echo/gpu/gpu_batch.h"
 #include "echo/gpu/gpu_plan.h"
 #include "echo/gpu/shaders/layout.h"
+#include "echo/model/left_out.h"
 #include "engines/random_scene.h"
 #include "gpu/device.h"
 #include "support/message_of.h"
@@ -278,6 +279,46 @@ TEST_F(GpuEngineTest, SumsAreExactWhereNothingIsLeftOfEchoes) {
     }
   }
   EXPECT_LE(difference(cpu, gpu, 1), kRounding);
+}
+
+// Every second triangle loses the coherent share of its glint; every third is thin beyond a fifth of the
+// range.
+TEST_F(GpuEngineTest, LeavesOutTheThinPartsAndGlintsThatCpuLeavesOut) {
+  constexpr double kRounding = 1e-4;
+  for (const int seed : {2, 6}) {
+    RandomScene random(seed);
+    for (Material& material : random.scene.materials) {
+      material.rms_height = 1e-4;
+    }
+    const FlatPlanSettings settings{.sonar = random.sonar,
+                                    .model = EchoModel::kCalibrated,
+                                    .materials = random.scene.materials,
+                                    .secondary = SecondaryEchoes::kNone,
+                                    .rough_mirrors = seed == 6};
+    const float thin_beyond =
+        0.2F * thin_per_metre(*make_flat_plan(settings)) * static_cast<float>(random.sonar.max_range);
+    const auto left_out = std::make_shared<LeftOut>();
+    for (const Instance& instance : random.scene.instances) {
+      std::vector<float> thickness;
+      std::vector<std::uint8_t> glinting;
+      for (std::size_t triangle = 0; triangle < instance.mesh->triangles.size(); ++triangle) {
+        thickness.push_back(triangle % 3 == 0 ? thin_beyond : INFINITY);
+        glinting.push_back(triangle % 2);
+      }
+      left_out->thickness.push_back(std::make_shared<const std::vector<float>>(thickness));
+      left_out->glinting.push_back(std::make_shared<const std::vector<std::uint8_t>>(glinting));
+    }
+    const auto echoes = [&](const char* name, bool leaves_out) {
+      const auto engine = test_engine(name);
+      engine->set_scene(random.scene);
+      (void)echoes_of(*engine, settings, random.pose);  // With all echoes: what follows must not use what this left.
+      engine->leave_out(leaves_out ? left_out : nullptr);
+      return echoes_of(*engine, settings, random.pose);
+    };
+    const EchoGrid cpu = echoes("cpu", true);
+    EXPECT_GT(difference(cpu, echoes("cpu", false), 1), 0.01);
+    EXPECT_LE(difference(cpu, echoes("gpu", true), 1), kRounding) << seed;
+  }
 }
 
 TEST_F(GpuEngineTest, StepsAreNamedAfterTheirShaders) {
