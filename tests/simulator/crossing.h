@@ -91,9 +91,10 @@ inline std::vector<MovableObject> crossing_objects() {
   return {{"ball"}, {"ship"}};
 }
 
-/// Pings of all sonars in turn. With kMoved, every second has the ball elsewhere, or the ship.
+/// Pings of all sonars in turn; the last one is the smallest. With kMoved, every second has the ball elsewhere, or the
+/// ship.
 struct CrossingOrders {
-  CrossingOrders(const Scenario& scenario, unsigned effects) : requests(13), pings(requests.size()) {
+  CrossingOrders(const Scenario& scenario, unsigned effects) : requests(14), pings(requests.size()) {
     for (std::size_t i = 0; i < requests.size(); ++i) {
       PingRequest& request = requests[i];
       const double along = static_cast<double>(i);
