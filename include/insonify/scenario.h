@@ -190,14 +190,12 @@ struct Scenario {
         self.parts);
     visit(Field{"model", "", {}, "Echo model: calibrated (levels by the sonar equation) or paper (shaped strengths)."},
           self.model);
-    visit(
-        Field{
-            "engine",
-            "",
-            {},
-            "Engine that computes the echoes: cpu, gpu (a graphics card, by Vulkan; without relief, surfaces that let "
-            "sound through and, calibrated, a sea surface so far), or reference (slow, for checks)."},
-        self.engine);
+    visit(Field{"engine",
+                "",
+                {},
+                "Engine that computes the echoes: cpu, gpu (a graphics card, by Vulkan; calibrated without a sea "
+                "surface so far), or reference (slow, for checks)."},
+          self.engine);
     visit(Field{"device",
                 "",
                 {},

@@ -29,6 +29,9 @@ class StagedBuffer {
 
   [[nodiscard]] std::uint64_t address() const { return buffer_.address(); }
 
+  /// On the device.
+  [[nodiscard]] const Buffer& buffer() const { return buffer_; }
+
  private:
   Buffer host_, buffer_;
   std::size_t changed_ = 0;  // Bytes to copy.

@@ -77,6 +77,22 @@ TEST(HitLawTest, SegmentsKeepWeightAndMeanPower) {
   EXPECT_EQ(segment_between({-5, 0, 1}, {3, 0, 1}, 1, 2, 0).high, 2);
 }
 
+// A net that keeps a quarter has a quarter of the weight, with four times the power: the energy stays as it is.
+TEST(HitLawTest, PowerIsPerKeptWeight) {
+  EXPECT_EQ(precise::per_kept(0.25), 4);
+  EXPECT_EQ(per_kept(0.25F) * 0.25F, 1);
+  EXPECT_EQ(per_kept(0.0F), 0);
+}
+
+// A normal of (0.6, 0.8, 0): the fourth powers of its components are 0.1296, 0.4096 and 0, of the sum 0.5392; the mean
+// of 1 and 0.5 is (0.1296 + 0.2048) / 0.5392.
+TEST(HitLawTest, ProjectionsAreBlendedByFourthPowers) {
+  const precise::Triple shares = precise::projection_shares({0.6, 0.8, 0});
+  EXPECT_EQ(shares.z, 0);
+  EXPECT_NEAR(precise::mean_of_projections({1, 0.5, 7}, shares), 0.3344 / 0.5392, 1e-12);
+  EXPECT_EQ(mean_of_projections({0, 0, 0.7F}, projection_shares({0, 0, 1})), 0.7F);
+}
+
 // d(range)/d(azimuth) = range |sideways| / |facing|, the divisor plus 0.1: 20 x 0.3 / 0.5 = 12 per radian.
 TEST(HitLawTest, ReachIsTheChangeOfRangeAcrossTheColumn) {
   EXPECT_DOUBLE_EQ(precise::footprint_reach(0.01, 20, 0.3, -0.4), 0.12);

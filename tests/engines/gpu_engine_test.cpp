@@ -69,21 +69,6 @@ TEST_F(GpuEngineTest, WhatItDoesNotComputeIsRefusedByName) {
   scenario.validate();
   scenario.surface = SeaSurface{.level = 2};
   EXPECT_EQ(message_of([&] { scenario.validate(); }), "engine = gpu computes no sea surface in model = calibrated yet");
-
-  Scene scene = SceneMaker().add_wall(8).scene();
-  const auto refused = [&] {
-    return message_of(
-        [&] { (void)echoes_of("gpu", scene, {.model = EchoModel::kCalibrated, .materials = scene.materials}); });
-  };
-  EXPECT_EQ(refused(), "no error");
-  scene.instances[0].reliefs = {std::make_shared<const Relief>(Relief{.slopes = {1, 1, {Eigen::Vector2f(0.1F, 0)}}})};
-  EXPECT_EQ(refused(), "engine gpu computes no relief of materials yet; engine cpu does");
-  EXPECT_EQ(message_of([&] { (void)echoes_of("gpu", scene, {}); }),
-            "engine gpu computes no relief of materials yet; engine cpu does");
-  scene.instances[0].reliefs.clear();
-  scene.materials[0].open_share = 0.5;
-  EXPECT_EQ(refused(),
-            "engine gpu computes no materials that let sound through yet (open_share, thickness); engine cpu does");
 }
 
 // A card adds in any order.
@@ -135,6 +120,36 @@ TEST_F(GpuEngineTest, PartsOfABatchGiveTheBytesOfPingsAloneAlsoAfterOneWasGivenU
   for (std::size_t i = 0; i < kViews; ++i) {
     alone->start({&views[i], 1});
     expect_same_bytes(together->map(i), alone->map(0));
+  }
+}
+
+// A sonar before nets, within a box of them, and one that looks away, in one batch.
+TEST_F(GpuEngineTest, BatchesSeeThroughNetsAsSinglePingsDo) {
+  SceneMaker maker;
+  for (int i = 0; i < 10; ++i) {
+    maker.add("net" + std::to_string(i), make_plane(Vec3::UnitX(), 20, 20), {.position = {2.0 + 0.3 * i, 0, 0}});
+  }
+  Scene scene = maker.add_wall(8).scene();
+  for (std::size_t i = 0; i + 1 < scene.materials.size(); ++i) {
+    scene.materials[i].open_share = 0.9;
+  }
+  FlatPlanSettings settings{
+      .model = EchoModel::kCalibrated, .materials = scene.materials, .primary = PrimaryEchoes::kRays};
+  settings.sonar.beam_count = 16;
+  settings.sonar.max_range = 10;
+  settings.sonar.sampling = {2, 40};
+  const auto engine = test_engine("gpu"), cpu = test_engine("cpu");
+  engine->set_scene(scene);
+  cpu->set_scene(scene);
+  const std::vector<Pose> poses = {
+      {}, {{3.1, 0, 0}, orientation_from_rpy(0, 0, 0.2)}, {{0, 0, 0}, orientation_from_rpy(0, 0, 3)}};
+  const FlatPlan plan = *make_flat_plan(settings);
+  std::vector<EchoGrid> grids(poses.size(), EchoGrid(settings.sonar.beam_count, settings.sonar.bin_count, kPathOrders));
+  engine->insonify_all(plan, poses, grids);
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    expect_same_bytes(echoes_of(*engine, settings, poses[i]), grids[i]);
+    EXPECT_LE(difference(echoes_of(*cpu, settings, poses[i]), grids[i], 1), 1e-4) << i;
+    EXPECT_EQ(engine->ray_counts().primary, cpu->ray_counts().primary) << i;
   }
 }
 

@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <cstring>
+#include <numeric>
 #include <utility>
 
 #include "echo/gpu/read_grid.h"
 #include "echo/gpu/shader_values.h"
-#include "insonify/error.h"
+#include "echo/model/see_through.h"
 
 namespace insonify {
 namespace {
@@ -44,6 +45,8 @@ constexpr std::uint32_t kGather[] = {
 static_assert(shader::kSampleNone == static_cast<std::uint32_t>(SecondarySampling::kNone) &&
               shader::kSampleSome == static_cast<std::uint32_t>(SecondarySampling::kSome) &&
               shader::kSampleAll == static_cast<std::uint32_t>(SecondarySampling::kAll));
+
+static_assert(shader::kMostPassed == kMostPassed);
 
 // Views that are computed in one submission: enough to fill a card.
 constexpr std::size_t kViewsOfPart = 16;
@@ -83,7 +86,7 @@ GpuBatch::GpuBatch(GpuWorld& world, const PingKernels& kernels, Workers& workers
 
 // As many as fit into a part of the device's memory.
 std::size_t GpuBatch::capacity(std::span<const PingView> views) const {
-  constexpr std::size_t kBytesPerSample = 64, kBytesPerCell = 180, kMostViews = 64;
+  constexpr std::size_t kBytesPerSample = 84, kBytesPerCell = 180, kMostViews = 64;
   const std::size_t most = world_.device.info().memory / 4;
   std::size_t count = 0, bytes = 0;
   for (const PingView& view : views.first(std::min(kMostViews, views.size()))) {
@@ -132,7 +135,7 @@ void GpuBatch::prepare(std::span<const PingView> views) {
   for (std::size_t i = 0; i < views.size(); ++i) {
     Ping& ping = *pings_[i];
     world_.scene.place(views[i].placement, ping.placement);
-    ping.memory.reserve(world_.device, views[i]);
+    ping.memory.reserve(world_.device, views[i], world_.scene.has_relief());
   }
 }
 
@@ -159,12 +162,69 @@ void GpuBatch::fill_jobs(Part& part) {
   }
 }
 
+// No groups at first, since no ray is known to go on behind what it hits.
+void GpuBatch::fill_layers(Part& part) {
+  const GroupCounts groups(views_.subspan(part.first, part.count));
+  shader::LayerGroups layer = {.wanted = {}};
+  std::uint32_t* const sizes[] = {layer.tiles, layer.samples, layer.intervals};
+  const std::uint32_t counts[] = {groups.tiles, groups.samples, groups.intervals};
+  for (int i = 0; i < 3; ++i) {
+    sizes[i][1] = static_cast<std::uint32_t>(part.count);
+    sizes[i][2] = groups_for(counts[i], gpu::Commands::most_groups);
+    layer.wanted[i] = std::min(counts[i], gpu::Commands::most_groups);
+  }
+  std::byte* const to = part.layers.refill(world_.device, kMostPassed * sizeof(layer));
+  for (std::size_t i = 0; i < kMostPassed; ++i) {
+    std::memcpy(to + i * sizeof(layer), &layer, sizeof(layer));
+  }
+}
+
+shader::PingJob GpuBatch::job_of_layer(const Part& part, std::uint32_t passed) const {
+  const std::uint64_t next =
+      sees_through_ && passed < kMostPassed ? part.layers.address() + passed * sizeof(shader::LayerGroups) : 0;
+  return {.pings = part.jobs.address(),
+          .first = 0,
+          .most_groups = gpu::Commands::most_groups,
+          .next_layer = next,
+          .layer = passed};
+}
+
+// What lies behind surfaces that let sound through, one surface after another: the steps of the primary echoes, which
+// do nothing where no ray goes on.
+void GpuBatch::record_layers(Part& part) {
+  for (std::uint32_t passed = 1; passed <= kMostPassed; ++passed) {
+    const shader::PingJob job = job_of_layer(part, passed);
+    const auto run = [&](const gpu::Kernel& kernel, std::size_t groups) {
+      part.commands.run_indirect(kernel, job, part.layers.buffer(),
+                                 (passed - 1) * sizeof(shader::LayerGroups) + groups);
+      part.commands.wait_for_writes();
+    };
+    run(kernels_.trace_primaries, offsetof(shader::LayerGroups, tiles));
+    run(kernels_.turn_up, offsetof(shader::LayerGroups, samples));
+    run(kernels_.evaluate, offsetof(shader::LayerGroups, samples));
+    run(kernels_.deposit, offsetof(shader::LayerGroups, intervals));
+  }
+}
+
+// Records copies of what the host has filled in, and that all sums are zero.
+void GpuBatch::copy_inputs(Part& part) {
+  for (auto& [of, plan] : plans_) {
+    plan.copy(part.commands);
+  }
+  for (const auto& ping : std::span(pings_).subspan(part.first, part.count)) {
+    ping->placement.buffer.copy(part.commands);
+    ping->memory.clear(part.commands);
+  }
+  part.jobs.copy(part.commands);
+  part.layers.copy(part.commands);
+}
+
 void GpuBatch::record(Part& part) {
   const GroupCounts groups(views_.subspan(part.first, part.count));
   const auto count = static_cast<std::uint32_t>(part.count);
   const std::span<const std::unique_ptr<Ping>> pings = std::span(pings_).subspan(part.first, part.count);
   gpu::Commands& commands = part.commands;
-  const shader::PingJob all = {part.jobs.address(), 0, gpu::Commands::most_groups};
+  const shader::PingJob all = job_of_layer(part, 0);
   const auto finish_step = [&](std::string_view name) {
     commands.wait_for_writes();
     commands.stamp();
@@ -173,14 +233,7 @@ void GpuBatch::record(Part& part) {
   part.steps.clear();
   commands.begin();
   commands.stamp();
-  for (auto& [of, plan] : plans_) {
-    plan.copy(commands);
-  }
-  for (std::uint32_t i = 0; i < count; ++i) {
-    pings[i]->placement.buffer.copy(commands);
-    pings[i]->memory.clear(commands);
-  }
-  part.jobs.copy(commands);
+  copy_inputs(part);
   finish_step("clear");
   commands.run(kernels_.trace_primaries, all, groups.tiles, count);
   finish_step("trace_primaries");
@@ -198,11 +251,16 @@ void GpuBatch::record(Part& part) {
   finish_step("deposit");
   for (std::uint32_t i = 0; i < count; ++i) {
     const PingMemory& memory = pings[i]->memory;
-    commands.run_indirect(calibrated ? kernels_.mirror : kernels_.reflect,
-                          shader::PingJob{part.jobs.address(), i, gpu::Commands::most_groups}, memory.counted(),
+    shader::PingJob own = all;
+    own.first = i;
+    commands.run_indirect(calibrated ? kernels_.mirror : kernels_.reflect, own, memory.counted(),
                           offsetof(shader::Counters, groups));
   }
   finish_step(calibrated ? "mirror" : "reflect");
+  if (sees_through_) {
+    record_layers(part);
+    finish_step("behind");
+  }
   commands.run(kernels_.gather, all, groups.cells, count);
   finish_step("gather");
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -251,6 +309,9 @@ void GpuBatch::copy_rest(Part& part) {
 
 void GpuBatch::start_part(Part& part) {
   fill_jobs(part);
+  if (sees_through_) {
+    fill_layers(part);
+  }
   record(part);
 }
 
@@ -292,25 +353,14 @@ void GpuBatch::read(std::size_t view, Workers& workers) {
     read_beams(memory, task * kBeams, std::min((task + 1) * kBeams, plan.beam_count), *grids_[view]);
   });
   read_further_surfaces(memory, *grids_[view]);
-  counts_[view] = {.primary = static_cast<std::uint64_t>(plan.lattice.columns) * plan.lattice.rows,
-                   .secondary = probes_[view].rays.size() + memory.counters().reflected,
-                   .return_legs = memory.counters().returns};
-}
-
-// Refuses what the kernels do not compute yet.
-void GpuBatch::refuse(const FlatPlan& plan) const {
-  if (world_.reliefs.any()) {
-    throw Error("engine gpu computes no relief of materials yet; engine cpu does");
-  }
-  if (plan.sees_through()) {
-    throw Error("engine gpu computes no materials that let sound through yet (open_share, thickness); engine cpu does");
-  }
+  const shader::Counters& counters = memory.counters();
+  counts_[view] = {.primary = std::accumulate(std::begin(counters.behind), std::end(counters.behind),
+                                              static_cast<std::uint64_t>(plan.lattice.columns) * plan.lattice.rows),
+                   .secondary = probes_[view].rays.size() + counters.reflected,
+                   .return_legs = counters.returns};
 }
 
 void GpuBatch::insonify(std::span<const PingView> views) {
-  for (const PingView& view : views) {
-    refuse(*view.plan);
-  }
   while (pings_.size() < views.size()) {
     pings_.push_back(std::make_unique<Ping>());
   }
@@ -318,6 +368,7 @@ void GpuBatch::insonify(std::span<const PingView> views) {
     part->commands.wait();  // Where receiving has been given up.
     part->step_seconds.clear();
   }
+  sees_through_ = std::ranges::any_of(views, [](const PingView& view) { return view.plan->sees_through(); });
   choose_sampling(views);
   prepare(views);
   for (std::size_t first = 0, i = 0; first < views.size(); first += kViewsOfPart, ++i) {

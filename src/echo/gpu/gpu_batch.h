@@ -50,6 +50,7 @@ class GpuBatch final : public HostBatch {
 
     gpu::Commands commands;
     gpu::StagedBuffer jobs;               // PingAt[view]
+    gpu::StagedBuffer layers;             // LayerGroups[kMostPassed]; empty where no surface lets sound through.
     std::size_t first = 0, count = 0;     // Views.
     std::vector<std::string_view> steps;  // Names of the steps that record() has recorded.
     std::vector<double> step_seconds;     // [step], when it has finished.
@@ -57,12 +58,15 @@ class GpuBatch final : public HostBatch {
     std::exception_ptr failure;
   };
 
-  void refuse(const FlatPlan& plan) const;
   void choose_sampling(std::span<const PingView> views);
   void set_plans(std::span<const PingView> views);
   void prepare(std::span<const PingView> views);
   void fill_jobs(Part& part);
+  void fill_layers(Part& part);
+  void copy_inputs(Part& part);
   void record(Part& part);
+  void record_layers(Part& part);
+  [[nodiscard]] shader::PingJob job_of_layer(const Part& part, std::uint32_t passed) const;
   void start_part(Part& part);
   void finish_part(Part& part);
   bool enough_room(const Part& part);
@@ -75,6 +79,7 @@ class GpuBatch final : public HostBatch {
   std::vector<std::unique_ptr<Ping>> pings_;  // [view]
   std::vector<SecondarySampling> sampling_;   // [view]
   std::vector<std::unique_ptr<Part>> parts_;  // In the order of their views; those after the last view are spare.
+  bool sees_through_ = false;                 // Whether any view does.
   std::mutex finishing_;                      // Of parts.
   std::vector<RayRun> probes_;
 };

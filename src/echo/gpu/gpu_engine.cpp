@@ -12,7 +12,6 @@ namespace insonify {
 
 void GpuWorld::set(const Scene& of, bool paper, Workers& workers) {
   scene.set(of, paper, workers);
-  reliefs.set(of, scene.origin());
   source_ = &of;
   boxes_.set(of, scene.origin());
   moved_.clear();

@@ -104,6 +104,9 @@ void add_materials(const ScatterTable& scatter, Packer& packer, shader::PlanTabl
   if (laws.by_angle != nullptr) {  // Else the address is 0.
     tables.by_angle = packer.add(std::span(laws.by_angle, count * ScatterTable::kAngleStride));
   }
+  if (laws.passed != nullptr) {
+    tables.passed = packer.add(std::span(laws.passed, count * ScatterTable::kAngleNodes));
+  }
 }
 
 // full_energy_scale() of each set of rows.

@@ -15,7 +15,7 @@ constexpr std::uint32_t kTraceRays[] = {
 #include "shaders/trace_rays.inc"
 };
 
-Vec3f vector_of(const shader::vec3& v) {
+Vec3 vector_of(const shader::vec3& v) {
   return {v.x, v.y, v.z};
 }
 
@@ -33,8 +33,7 @@ void GpuRays::load(std::span<const RayRun> runs, const Vec3& origin) {
   }
 }
 
-void GpuRays::read(std::span<const RayRun> runs, const Reliefs& reliefs, const std::vector<float>& reflectivity,
-                   const Vec3& origin) {
+void GpuRays::read(std::span<const RayRun> runs, const std::vector<float>& reflectivity) const {
   const auto* found = hits_.data<const shader::LooseHit>();
   for (const RayRun& run : runs) {
     for (std::size_t i = 0; i < run.rays.size(); ++i, ++found) {
@@ -43,18 +42,9 @@ void GpuRays::read(std::span<const RayRun> runs, const Reliefs& reliefs, const s
       if (found->distance < 0 || double{found->distance} > run.rays[i].max_distance) {
         continue;
       }
-      const Ray& ray = run.rays[i];
-      const std::uint16_t instance = instance_of(found->surface), material = material_of(found->surface);
-      const Vec3f flat = vector_of(found->normal);
-      ReliefPoint relief;
-      if (reliefs.any()) {
-        const Vec3 point = ray.origin + double{found->distance} * ray.direction - origin;
-        relief = reliefs.at(instance, found->triangle, point.cast<float>(), flat);
-      }
-      const Vec3 normal = (flat.normalized() - relief.gradient).cast<double>().normalized();
-      const bool from_behind = flat.cast<double>().dot(ray.direction) > 0;
-      hit = {found->distance, from_behind ? Vec3(-normal) : normal,         instance,
-             material,        reflectivity[material] * relief.reflectivity, relief.reflectivity};
+      const std::uint16_t material = material_of(found->surface);
+      hit = {found->distance, vector_of(found->normal).normalized(),   instance_of(found->surface),
+             material,        reflectivity[material] * found->texture, found->texture};
     }
   }
 }
@@ -83,8 +73,7 @@ void GpuRays::place(const GpuScene& scene, std::span<const RayRun> runs) {
   }
 }
 
-void GpuRays::trace(const GpuScene& scene, const Reliefs& reliefs, const std::vector<float>& reflectivity,
-                    std::span<const RayRun> runs) {
+void GpuRays::trace(const GpuScene& scene, const std::vector<float>& reflectivity, std::span<const RayRun> runs) {
   std::size_t count = 0;
   for (const RayRun& run : runs) {
     count += run.rays.size();
@@ -103,7 +92,7 @@ void GpuRays::trace(const GpuScene& scene, const Reliefs& reliefs, const std::ve
   }
   commands_.submit();
   commands_.wait();
-  read(runs, reliefs, reflectivity, scene.origin());
+  read(runs, reflectivity);
 }
 
 }  // namespace insonify

@@ -8,25 +8,22 @@
 
 #include "echo/engine.h"
 #include "echo/gpu/gpu_scene.h"
-#include "echo/model/reliefs.h"
 #include "gpu/device.h"
 
 namespace insonify {
 
-/// The rays of sources, which are not part of a fan. Reliefs are evaluated on the host.
+/// The rays of sources, which are not part of a fan.
 class GpuRays {
  public:
   explicit GpuRays(gpu::Device& device);
 
   /// Traces the rays of all runs in one submission.
-  void trace(const GpuScene& scene, const Reliefs& reliefs, const std::vector<float>& reflectivity,
-             std::span<const RayRun> runs);
+  void trace(const GpuScene& scene, const std::vector<float>& reflectivity, std::span<const RayRun> runs);
 
  private:
   void place(const GpuScene& scene, std::span<const RayRun> runs);
   void load(std::span<const RayRun> runs, const Vec3& origin);
-  void read(std::span<const RayRun> runs, const Reliefs& reliefs, const std::vector<float>& reflectivity,
-            const Vec3& origin);
+  void read(std::span<const RayRun> runs, const std::vector<float>& reflectivity) const;
 
   gpu::Device& device_;
   gpu::Kernel kernel_;

@@ -130,6 +130,7 @@ void GpuScene::set(const Scene& scene, bool paper, Workers& workers) {
   }
   meshes_ = std::move(kept);
   gpu::upload(device_, surfaces, surfaces_);
+  reliefs_.set(device_, scene);
 }
 
 shader::PlacedMesh GpuScene::placed_mesh(std::size_t instance, const Pose& world_from_mesh) const {
@@ -148,7 +149,9 @@ shader::PlacedMesh GpuScene::placed_mesh(std::size_t instance, const Pose& world
           instance < left_out_of_.size() ? left_out_of_[instance].first : 0,
           instance < left_out_of_.size() ? left_out_of_[instance].second : 0,
           mesh.face_of.address(),
-          mesh.faces.address()};
+          mesh.faces.address(),
+          reliefs_.tiles(instance),
+          reliefs_.texture(instance)};
 }
 
 void GpuScene::leave_out(const LeftOut* left_out) {
@@ -209,7 +212,7 @@ void GpuScene::place(const Placement* placement, GpuPlacement& placed) const {
 }
 
 std::size_t GpuScene::bytes() const {
-  std::size_t sum = surfaces_.bytes();
+  std::size_t sum = surfaces_.bytes() + reliefs_.bytes();
   for (const auto& [of, mesh] : meshes_) {
     sum += mesh->bytes();
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "echo/batch/ping_view.h"
+#include "echo/gpu/gpu_reliefs.h"
 #include "echo/gpu/shaders/layout.h"
 #include "echo/gpu/tree.h"
 #include "echo/mirror/faces.h"
@@ -60,6 +61,9 @@ class GpuScene {
   /// World position that the device's coordinates are relative to, so that single precision suffices.
   [[nodiscard]] const Vec3& origin() const { return origin_; }
 
+  /// Whether any surface has a relief.
+  [[nodiscard]] bool has_relief() const { return reliefs_.any(); }
+
   [[nodiscard]] std::size_t bytes() const;
 
  private:
@@ -70,7 +74,8 @@ class GpuScene {
   std::uint64_t number_ = 0;  // Calls of set() and leave_out().
   Vec3 origin_ = Vec3::Zero();
   std::map<const Mesh*, std::unique_ptr<GpuMesh>> meshes_;
-  std::vector<const GpuMesh*> mesh_of_;                               // [instance]; null where it is not present.
+  std::vector<const GpuMesh*> mesh_of_;  // [instance]; null where it is not present.
+  GpuReliefs reliefs_;
   gpu::Buffer surfaces_;                                              // All instances', slot by slot.
   std::vector<std::size_t> first_surface_;                            // [instance]
   std::map<const void*, gpu::Buffer> left_out_;                       // By the host's table.

@@ -7,7 +7,6 @@
 
 #include "echo/gpu/gpu_rays.h"
 #include "echo/gpu/gpu_scene.h"
-#include "echo/model/reliefs.h"
 #include "echo/rays/box_cut.h"
 #include "gpu/device.h"
 
@@ -18,7 +17,7 @@ struct GpuWorld {
   explicit GpuWorld(std::string_view wanted) : device(wanted), scene(device), rays(device) {}
 
   void set(const Scene& of, bool paper, Workers& workers);
-  void trace(std::span<const RayRun> runs) { rays.trace(scene, reliefs, reflectivity, runs); }
+  void trace(std::span<const RayRun> runs) { rays.trace(scene, reflectivity, runs); }
 
   /// Boxes around the instances where a placement has them; null: where the scene has them.
   [[nodiscard]] const BoxCut& boxes_at(const Placement* placement);
@@ -26,7 +25,6 @@ struct GpuWorld {
   gpu::Device device;
   GpuScene scene;
   GpuRays rays;
-  Reliefs reliefs;
   std::vector<float> reflectivity;     // [material]
   gpu::Buffer reflectivity_on_device;  // The same.
 

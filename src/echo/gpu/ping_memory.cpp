@@ -18,26 +18,33 @@ bool is_labelled(const PingView& view) {
 
 }  // namespace
 
-void PingMemory::reserve_work(gpu::Device& device, const FlatPlan& plan) {
+void PingMemory::reserve_work(gpu::Device& device, const FlatPlan& plan, bool relief) {
   const std::size_t samples = static_cast<std::size_t>(plan.lattice.columns) * plan.lattice.rows;
-  const bool turns = plan.model == EchoModel::kCalibrated;
+  const bool turns = plan.model == EchoModel::kCalibrated, passes = plan.sees_through();
   gpu::BufferLayout work;
   samples_ = {.surface = work.take(samples * 4),
               .triangle = work.take(samples * 4),
               .range = work.take(samples * 4),
               .normal = work.take(samples * 12),
+              .gradient = work.take(relief ? samples * 12 : 0),
               .reflectivity = work.take(samples * 4),
               .facing = work.take(samples * 4),
               .power = work.take(samples * 4),
               .joined = work.take(samples * 4),
-              .turn_up = work.take(turns ? samples * 12 : 0)};
+              .turn_up = work.take(turns ? samples * 12 : 0),
+              .reached = work.take(passes ? samples * 4 : 0),
+              .passed = work.take(passes ? samples * 4 : 0)};
   reflecting_ = work.take(samples * sizeof(shader::Reflecting));
   work_.reserve(device, work.end(), gpu::Memory::kDevice);
   for (shader::address* part :
        {&samples_.surface, &samples_.triangle, &samples_.range, &samples_.normal, &samples_.reflectivity,
-        &samples_.facing, &samples_.power, &samples_.joined, &samples_.turn_up, &reflecting_}) {
+        &samples_.gradient, &samples_.facing, &samples_.power, &samples_.joined, &samples_.turn_up, &samples_.reached,
+        &samples_.passed, &reflecting_}) {
     *part += work_.address();
   }
+  samples_.gradient = relief ? samples_.gradient : 0;
+  samples_.reached = passes ? samples_.reached : 0;
+  samples_.passed = passes ? samples_.passed : 0;
 }
 
 void PingMemory::reserve_sums(gpu::Device& device, std::size_t beams) {
@@ -76,13 +83,13 @@ void PingMemory::reserve_layers(gpu::Device& device, std::size_t beams) {
   }
 }
 
-void PingMemory::reserve(gpu::Device& device, const PingView& view) {
+void PingMemory::reserve(gpu::Device& device, const PingView& view, bool relief) {
   const FlatPlan& plan = *view.plan;
   const auto beams = static_cast<std::size_t>(plan.beam_count);
   cell_count_ = beams * plan.bin_count;
   layers_.orders = static_cast<std::uint32_t>(view.layers.orders);
   cells_.labelled = !is_labelled(view) ? 0U : view.layers.ground_truth == GroundTruth::kFull ? 2U : 1U;
-  reserve_work(device, plan);
+  reserve_work(device, plan, relief);
   reserve_sums(device, beams);
   reserve_layers(device, beams);
   reserve_surfaces(device, cells_.labelled != 0 ? static_cast<std::uint32_t>(cell_count_) : 1);

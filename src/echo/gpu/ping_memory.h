@@ -12,7 +12,8 @@ namespace insonify {
 class PingMemory {
  public:
   /// Makes room for a ping.
-  void reserve(gpu::Device& device, const PingView& view);
+  /// @param relief  Whether any surface has a relief.
+  void reserve(gpu::Device& device, const PingView& view, bool relief);
 
   /// Records that all sums are zero.
   void clear(gpu::Commands& commands) const;
@@ -45,7 +46,7 @@ class PingMemory {
   [[nodiscard]] const shader::FurtherSum* further() const { return host_further_.data<const shader::FurtherSum>(); }
 
  private:
-  void reserve_work(gpu::Device& device, const FlatPlan& plan);
+  void reserve_work(gpu::Device& device, const FlatPlan& plan, bool relief);
   void reserve_sums(gpu::Device& device, std::size_t beams);
   void reserve_layers(gpu::Device& device, std::size_t beams);
   void reserve_surfaces(gpu::Device& device, std::uint32_t surfaces);

@@ -73,6 +73,13 @@ LAW Real least_half_length(Real position) {
   return REAL(1e-7) * max(position < 0 ? -position : position, REAL(500.0));
 }
 
+/// Factor on the power of an echo of whose weight only a share is kept, so that its energy stays as it is; 0 where
+/// nothing is kept. Behind and on surfaces that let sound through, a weight is the solid angle whose sound goes no
+/// further.
+LAW Real per_kept(Real kept) {
+  return kept > 0 ? 1 / kept : REAL(0.0);
+}
+
 /// The echo of the surface between two neighbouring samples: its weight is spread evenly over an interval of positions,
 /// over which its power changes linearly. Positions are in bins from the near edge of bin 0.
 struct FootprintSegment {

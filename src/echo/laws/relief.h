@@ -122,6 +122,12 @@ LAW Triple projection_shares(Triple normal) {
                 z / sum < kLeast ? none : z / sum);
 }
 
+/// Mean of a value in the three projections.
+/// @param shares  projection_shares()
+LAW Real mean_of_projections(Triple values, Triple shares) {
+  return (shares.x * values.x + shares.y * values.y + shares.z * values.z) / (shares.x + shares.y + shares.z);
+}
+
 /// Slopes in the three projections: seen along x, right is y and up is z; along y, x and z; along z, x and y.
 struct ProjectedSlopes {
   Real x_right, x_up, y_right, y_up, z_right, z_up;

@@ -137,9 +137,9 @@ FootprintSegment open_segment(const FlatPlan& plan, int column, const HitColumn&
     }
   }
   if (hits.passing) {  // Only what goes no further has a weight.
-    const float kept = kept_at(hits, row), per_kept = kept > 0 ? 1 / kept : 0.0F;
-    power *= per_kept;
-    half_rise *= per_kept;
+    const float kept = kept_at(hits, row), scale = per_kept(kept);
+    power *= scale;
+    half_rise *= scale;
     weight *= kept;
   }
   const float beyond = segments.reach[row] + least_half_length(here);

@@ -183,8 +183,7 @@ INSONIFY_VECTOR_CLONES
 void weigh_by_kept(int rows, const float* __restrict__ reached, const float* __restrict__ passed,
                    float* __restrict__ power, float* __restrict__ half_rise, float* __restrict__ density) {
   for (int a = 0; a + 1 < rows; ++a) {
-    const float share = 0.5F * (reached[a] - passed[a] + (reached[a + 1] - passed[a + 1])),
-                scale = share > 0 ? 1 / share : 0.0F;
+    const float share = 0.5F * (reached[a] - passed[a] + (reached[a + 1] - passed[a + 1])), scale = per_kept(share);
     power[a] *= scale;
     half_rise[a] *= scale;
     density[a] *= share;

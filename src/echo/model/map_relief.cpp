@@ -198,8 +198,9 @@ INSONIFY_VECTOR_CLONES
 void mean_factors(const float (*__restrict__ factors)[kHitLanes], const Projections& __restrict__ projections,
                   float* __restrict__ mean) {
   for (int lane = 0; lane < kHitLanes; ++lane) {
-    const float x = projections.shares[0][lane], y = projections.shares[1][lane], z = projections.shares[2][lane];
-    mean[lane] = (x * factors[0][lane] + y * factors[1][lane] + z * factors[2][lane]) / (x + y + z);
+    mean[lane] =
+        mean_of_projections({factors[0][lane], factors[1][lane], factors[2][lane]},
+                            {projections.shares[0][lane], projections.shares[1][lane], projections.shares[2][lane]});
   }
 }
 

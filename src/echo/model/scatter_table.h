@@ -87,6 +87,7 @@ class ScatterTable : private ScatterNumbers {
     const float* steepness;  ///< The same.
     const float* facets;     ///< 1 / (8 pi s^2)
     const float* by_angle;   ///< [material][kAngleStride]; null where no law depends on the angle.
+    const float* passed;     ///< [material][kAngleNodes], see fill_passed(); null where all surfaces are opaque.
 
     [[nodiscard, gnu::always_inline]] std::uint32_t index_of(SurfaceLabel surface) const {
       const std::uint32_t material = surface & 0xffffU;  // material_of()
@@ -97,9 +98,16 @@ class ScatterTable : private ScatterNumbers {
     }
   };
   [[nodiscard]] Laws laws() const {
-    return {nothing,           any_on_top,      mirrored_.data(),
-            roughness_.data(), lambert_.data(), lobe_.data(),
-            steepness_.data(), facets_.data(),  by_angle_.empty() ? nullptr : by_angle_.data()};
+    return {nothing,
+            any_on_top,
+            mirrored_.data(),
+            roughness_.data(),
+            lambert_.data(),
+            lobe_.data(),
+            steepness_.data(),
+            facets_.data(),
+            by_angle_.empty() ? nullptr : by_angle_.data(),
+            passed_.empty() ? nullptr : passed_.data()};
   }
 
   /// Places of the tables of one material: those of its AngularScattering, and mirrored().

@@ -23,6 +23,17 @@ float position_of(Column c, uint row) {
   return (Floats(c.samples.range).at[c.first + row] - c.plan.first_bin_at) * c.plan.bins_per_metre;
 }
 
+// Share of the intensity that a sample keeps from going further: kept_at() of the host.
+float kept_at(Column c, uint row) {
+  return c.samples.reached == 0
+             ? 1.0
+             : Floats(c.samples.reached).at[c.first + row] - Floats(c.samples.passed).at[c.first + row];
+}
+
+float kept_between(Column c, uint row) {
+  return 0.5 * (kept_at(c, row) + kept_at(c, row + 1));
+}
+
 float reach_of(Column c, uint row) {
   const vec3 normal = Vectors(c.samples.normal).at[c.first + row];
   const float cos_t = Floats(c.plan.cos_t).at[c.first_row + row], sin_t = Floats(c.plan.sin_t).at[c.first_row + row];
@@ -46,6 +57,14 @@ FootprintSegment between(Column c, uint row) {
   return segment_between(SegmentEnd(position_of(c, row), reach_of(c, row), power.at[c.first + row]),
                          SegmentEnd(position_of(c, row + 1), reach_of(c, row + 1), power.at[c.first + row + 1]), weight,
                          float(c.plan.bins), 0.5 * (elevation.at[c.first_row + row] + elevation.at[c.first_row + row + 1]));
+}
+
+// The same energy, as a part of its weight: only what goes no further has a weight.
+FootprintSegment weighed_by(float kept, FootprintSegment segment) {
+  segment.power *= per_kept(kept);
+  segment.half_rise *= per_kept(kept);
+  segment.density *= kept;
+  return segment;
 }
 
 // Position of a sample's tangent plane in another direction of the column; its own where nothing shows that the surface
@@ -74,16 +93,19 @@ FootprintSegment open_segment(Column c, uint row, int behind, vec2 end, float we
   if (next_at > bins && here < bins) {
     ends_at = next_at;
     weight = weight_to_next;
-    const FootprintSegment joined = between(c, uint(clamp(behind, 0, int(row))));
-    if (joined.power + 2.0 * joined.half_rise * bins > 0.0) {
+    const uint lower = uint(clamp(behind, 0, int(row)));
+    const FootprintSegment joined = between(c, lower);
+    if (joined.power + 2.0 * joined.half_rise * bins > 0.0 && kept_between(c, lower) > 0.0) {
       power = joined.power;
       half_rise = joined.half_rise;
     }
   }
   const float beyond = reach_of(c, row) + least_half_length(here);
   const float low = min(here, ends_at) - beyond, high = max(here, ends_at) + beyond;
-  return FootprintSegment(clamp(low, 0.0, bins), min(high, bins), power, half_rise, weight / (high - low),
-                          Floats(c.plan.elevation).at[c.first_row + row]);
+  const FootprintSegment segment =
+      FootprintSegment(clamp(low, 0.0, bins), min(high, bins), power, half_rise, weight / (high - low),
+                       Floats(c.plan.elevation).at[c.first_row + row]);
+  return weighed_by(kept_at(c, row), segment);
 }
 
 // What lies between two samples of a column: two segments, of which either may be empty, and their surfaces.
@@ -107,7 +129,7 @@ Between between_samples(Column c, uint interval) {
   result.surfaces[1] = interval < last ? surfaces.at[c.first + upper] : kNoSurface;
   const float weight = Floats(c.plan.interval).at[set * (last + 1) + interval] * c.measure;
   if (is_joined(c, int(interval) - 1)) {
-    result.segments[0] = between(c, lower);
+    result.segments[0] = weighed_by(kept_between(c, lower), between(c, lower));
   } else {
     const vec2 low = vec2(cos_t.at[c.first_row + lower], sin_t.at[c.first_row + lower]);
     const vec2 high = vec2(cos_t.at[c.first_row + upper], sin_t.at[c.first_row + upper]);
@@ -149,6 +171,6 @@ void main() {
     const uint first = set * intervals + interval;
     const float met = (interval == 0 ? 1.0 : 0.5) * shares.at[first] +
                       (interval + 1 == plan.rows ? 1.0 : 0.5) * shares.at[first + 1];
-    atomicAdd(Sums(ping.cells.met_before).at[beam], fixed_point(met * c.measure));
+    atomicAdd(Sums(ping.cells.met_before).at[beam], fixed_point(kept_at(c, interval) * met * c.measure));
   }
 }

@@ -39,6 +39,9 @@ SHARED float kUnits = 4503599627370496.0F;
 /// Most entries that a ray's stack needs: TreeDepth::kInstances + kTriangles, and what is left of a leaf.
 SHARED int kTreeStack = 40;
 
+/// Most surfaces that sound passes through on the way to an echo, see see_through.h.
+SHARED uint kMostPassed = 8U;
+
 /// SecondarySampling
 SHARED uint kSampleNone = 0U, kSampleSome = 1U, kSampleAll = 2U;
 
@@ -84,6 +87,18 @@ struct PlacedMesh {
   address glinting;   ///< uint[triangle], see LeftOut; 0: none glints.
   address face_of;    ///< uint[triangle], see MeshFaces; 0: all is curved.
   address faces;      ///< PlaneFace[]
+  address reliefs;    ///< ReliefTiles[slot]; 0: no slot has a relief.
+  address texture;    ///< vec2[triangle][corner], texture coordinates where a relief needs them; 0: none.
+};
+
+/// A Relief.
+struct ReliefTiles {
+  address slopes;   ///< vec2[row][column]; 0: flat.
+  address factors;  ///< float[row][column] on the reflectivity; 0: all are 1.
+  int slope_columns, slope_rows;
+  int factor_columns, factor_rows;
+  float tile_size;  ///< [m]; 0: only by texture coordinates.
+  uint rise_per_tile, by_position;
 };
 
 /// A Face of the host, in the mesh frame.
@@ -110,8 +125,8 @@ struct LooseRay {
 struct LooseHit {
   float distance;  ///< Negative for a miss.
   uint surface;    ///< SurfaceLabel
-  uint triangle;
-  vec3 normal;  ///< Shading normal, of any length and side.
+  vec3 normal;     ///< Shading normal with relief, of any length, on the side that the ray comes from.
+  float texture;   ///< Of the relief: factor on the reflectivity.
 };
 
 /// What the kernel trace_rays is passed.
@@ -148,9 +163,10 @@ struct PlanTables {
   address facet_roughness;                                   ///< float[material], ScatterTable::roughness().
   address mirrored;                                          ///< float[material], ScatterTable::mirrored().
   address by_angle;                                          ///< float[material][kAngleStride]; 0: none.
-  address transmitted;                                       ///< float[column]
-  address row_pattern, reciprocal;                           ///< float[set][row]
-  address full_share;                                        ///< float[set], see share_out_energy().
+  address passed;       ///< float[material][kAngleNodes], see ScatterTable::fill_passed(); 0: all surfaces are opaque.
+  address transmitted;  ///< float[column]
+  address row_pattern, reciprocal;  ///< float[set][row]
+  address full_share;               ///< float[set], see share_out_energy().
   // Both models:
   address bin_scale;                                                        ///< float[bin], see bin_scales().
   address cos_azimuth, sin_azimuth, azimuth, column_width, column_measure;  ///< float[column]
@@ -166,12 +182,15 @@ struct Samples {
   address surface;       ///< uint, SurfaceLabel
   address triangle;      ///< uint, in the mesh.
   address range;         ///< float
-  address normal;        ///< vec3, unit length.
-  address reflectivity;  ///< float
+  address normal;        ///< vec3, unit length, without relief.
+  address gradient;      ///< vec3, see ReliefPoint; 0: no surface of the scene has a relief.
+  address reflectivity;  ///< float: `paper` of the material times that of the relief; `calibrated` of the relief alone.
   address facing;        ///< float, see HitColumn.
   address power;         ///< float, see HitColumn.
   address joined;        ///< uint, see FootprintSegments: with the sample above.
   address turn_up;       ///< `calibrated`: vec3, see HitColumn::turn_up_x.
+  address reached;       ///< float, see HitColumn; 0: all surfaces are opaque.
+  address passed;        ///< The same.
 };
 
 /// The sums of a ping, in fixed point: see cells.glsl.
@@ -190,11 +209,12 @@ struct SurfaceSum {
   int64 energy, moment, square;
 };
 struct Counters {
-  uint surfaces;   ///< SurfaceSums taken; those from Cells::most_surfaces on found no room.
-  uint reflected;  ///< Hits that reflect a ray.
-  uint returns;    ///< Return legs traced.
-  uint groups[3];  ///< Groups of the kernel that reflects them.
-  uint further;    ///< FurtherSums that the host is given.
+  uint surfaces;             ///< SurfaceSums taken; those from Cells::most_surfaces on found no room.
+  uint reflected;            ///< Hits that reflect a ray.
+  uint returns;              ///< Return legs traced.
+  uint groups[3];            ///< Groups of the kernel that reflects them.
+  uint further;              ///< FurtherSums that the host is given.
+  uint behind[kMostPassed];  ///< Rays that are continued behind their first, second ... surface.
 };
 
 /// What the host reads of a ping: the Cells as an EchoGrid has them. `square` is there where labelled is 2.
@@ -234,11 +254,20 @@ struct PingAt {
   address reflecting;  ///< Reflecting[columns * rows]
 };
 
+/// How many groups compute what lies behind one more surface, of the kernels that work through tiles of samples,
+/// samples, and intervals between them. The first numbers are 0 until a ray is continued there.
+struct LayerGroups {
+  uint tiles[3], samples[3], intervals[3];
+  uint wanted[3];  ///< What the first numbers become then.
+};
+
 /// What the kernels of a ping are passed.
 struct PingJob {
   address pings;  ///< PingAt[]; a row of groups for each, from the first on.
   uint first;
-  uint most_groups;  ///< In one row of groups.
+  uint most_groups;    ///< In one row of groups.
+  address next_layer;  ///< LayerGroups; 0: no ray is continued behind what it hits.
+  uint layer;          ///< How many surfaces sound has passed.
 };
 
 #undef SHARED

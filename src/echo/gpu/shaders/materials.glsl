@@ -9,11 +9,21 @@ Scatterer scatterer_of(PlanTables plan, uint material) {
                    Floats(plan.steepness).at[material]);
 }
 
-float at_angle(PlanTables plan, uint material, uint table, float cosine) {
+// AngleTable::at(), from the place `first` of a table on.
+float at_angle(address table, uint first, float cosine) {
   const float place = float(kAngleSteps) * sqrt(clamp(1.0 - cosine, 0.0, 1.0));
-  const uint node = uint(place), at = kAngleStride * material + table + node;
-  const float here = Floats(plan.by_angle).at[at];
-  return here + (place - float(node)) * (Floats(plan.by_angle).at[at + 1] - here);
+  const uint node = uint(place), at = first + node;
+  const float here = Floats(table).at[at];
+  return here + (place - float(node)) * (Floats(table).at[at + 1] - here);
+}
+
+float at_angle(PlanTables plan, uint material, uint table, float cosine) {
+  return at_angle(plan.by_angle, kAngleStride * material + table, cosine);
+}
+
+// Share of the intensity that a surface lets through.
+float transmittance(PlanTables plan, uint material, float cosine) {
+  return at_angle(plan.passed, kAngleNodes * material, abs(cosine));
 }
 
 // Share of the intensity that a surface reflects as a mirror.

@@ -4,6 +4,7 @@
 
 #extension GL_GOOGLE_include_directive : require
 #include "ping.glsl"
+#include "relief.glsl"
 #include "materials.glsl"
 #include "cells.glsl"
 #include "arrival.glsl"
@@ -29,7 +30,8 @@ ReflectedRay reflected_ray(PingAt ping, PlanTables plan, PlacedMesh placed, Refl
   ray.mirror = sample_at(ping, plan, from.column, from.row);
   ray.direction = direction_of(plan, axes_of(ping, plan, from.column), from.column, from.row);
   ray.facing = Floats(ping.samples.facing).at[at];
-  ray.reflectance = mirrored(plan, material, ray.facing);
+  const float texture = Floats(ping.samples.reflectivity).at[at];
+  ray.reflectance = texture * texture * mirrored(plan, material, ray.facing);
   ray.steepness = Floats(plan.steepness).at[material];
   ray.roughness = plan.rough_mirrors != 0 ? kAllRough : Floats(plan.facet_roughness).at[material];
   ray.face = face_edges(placed, Uints(ping.samples.triangle).at[at], ping.sonar + ray.mirror.place);
@@ -40,7 +42,8 @@ ReflectedRay reflected_ray(PingAt ping, PlanTables plan, PlacedMesh placed, Refl
   const float slope = facet_slope(slope_of(ray.steepness), ray.roughness, ray.facing, slopes.pick);
   if (slope > 0.0 || ray.face.finite) {
     const vec3 tilt = face_tilt(ray.face, from.column, from.row, plan.stagger, plan.wavelength, ray.facing);
-    const MirrorFacet facet = mirror_facet(ray.direction, ray.mirror.normal, vec3(0.0), slope, slopes, tilt);
+    const vec3 gradient = ping.samples.gradient == 0 ? vec3(0.0) : Vectors(ping.samples.gradient).at[at];
+    const MirrorFacet facet = mirror_facet(ray.direction, ray.mirror.normal, gradient, slope, slopes, tilt);
     ray.reflected = reflect(ray.direction, facet.normal);
     ray.reach = reflected_reach(ray.mirror.range, dot(ray.direction, ray.reflected), plan.reach);
     ray.share = facet.share;
@@ -117,8 +120,10 @@ void main() {
   if (hit.instance == kNoInstance) {
     return;
   }
-  const Surface met = surface_at(scene, hit);
-  const vec3 normal = unit(met.normal), point = origin + hit.distance * ray.reflected, to_sonar = ping.sonar - point;
+  const vec3 point = origin + hit.distance * ray.reflected, to_sonar = ping.sonar - point;
+  Surface met = surface_at(scene, hit);
+  const float texture = add_relief(scene, hit, point, met);
+  const vec3 normal = unit(met.normal);
   const float back = length(to_sonar), there = ray.mirror.range + hit.distance;
   const vec3 back_direction = to_sonar / back;
   const PathFootprint footprint = path_footprint(
@@ -144,7 +149,7 @@ void main() {
   const float returned = ray.face.finite ? face_return(first, other, coherence, rho, plan.wavelength) : 1.0;
   const uint material = material_of(plan, met.label);
   const MirrorIntensities intensities =
-      mirror_intensities(MirrorPath(ray.reflectance, ray.share, there, back, spread, returned, angles, 1.0, over),
+      mirror_intensities(MirrorPath(ray.reflectance, ray.share, there, back, spread, returned, angles, texture, over),
                          second_surface(plan, material, angles, ray.steepness), plan.neper_per_metre);
 
   const uint in_rows = in_set(plan, from.column, from.row);

@@ -2,8 +2,8 @@
 
 MirrorSample sample_at(PingAt ping, PlanTables plan, uint column, uint row) {
   const uint at = column * plan.rows + row;
-  return mirror_sample(direction_of(plan, axes_of(ping, plan, column), column, row), Vectors(ping.samples.normal).at[at],
-                       Floats(ping.samples.range).at[at]);
+  const vec3 direction = direction_of(plan, axes_of(ping, plan, column), column, row);
+  return mirror_sample(direction, bent_sample(ping, at, direction).normal, Floats(ping.samples.range).at[at]);
 }
 
 // Change to a neighbour on the same surface; none where there is no such neighbour.

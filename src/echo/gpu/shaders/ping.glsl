@@ -16,6 +16,8 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) buffer ReflectingHi
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer PlanAt { PlanTables plan; };
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Pings { PingAt at[]; };
 
+layout(buffer_reference, scalar, buffer_reference_align = 4) buffer LayerGroupsAt { LayerGroups groups; };
+
 layout(push_constant, scalar) uniform Push { PingJob job; };
 
 // ColumnAxes of a column, in the frame of the scene.
@@ -51,7 +53,17 @@ float shaped(PlanTables plan, float strength) {
   return plan.shaped != 0 ? logistic(terms, strength) : strength;
 }
 
+// A vector of unit length, or 0.
 vec3 unit(vec3 normal) {
   const float kTiny = 1e-20;
   return normal / sqrt(dot(normal, normal) + kTiny);
+}
+
+// A sample with its relief; without one, ReliefPoint::gradient is 0.
+BentSurface bent_sample(PingAt ping, uint at, vec3 direction) {
+  const vec3 normal = Vectors(ping.samples.normal).at[at];
+  const float facing = dot(normal, direction);
+  return ping.samples.gradient == 0
+             ? BentSurface(normal, facing, 1.0)
+             : bent_surface(direction, normal, Vectors(ping.samples.gradient).at[at], facing);
 }

@@ -3,6 +3,7 @@
 
 #extension GL_GOOGLE_include_directive : require
 #include "ping.glsl"
+#include "relief.glsl"
 #include "cells.glsl"
 #include "mirrors.glsl"
 
@@ -26,7 +27,7 @@ void main() {
   if (hit.instance == kNoInstance) {
     return;
   }
-  const Surface second = surface_at(scene, hit);
+  Surface second = surface_at(scene, hit);
   const vec3 point = origin + hit.distance * mirror.reflected;
   const vec3 to_sonar = ping.sonar - point;
   const float distance = length(to_sonar), there = mirror.range + hit.distance, path_length = there + distance;
@@ -38,6 +39,7 @@ void main() {
   if (trace(scene, point, back, kRayClearance, distance - kRayClearance, true).instance != kNoInstance) {
     return;
   }
+  const float texture = add_relief(scene, hit, point, second);
   const vec3 normal = unit(second.normal);
   const MirrorChange above = change_along(ping, plan, mirror, surface, from.column, from.row);
   const MirrorChange aside = change_aside(ping, plan, mirror, surface, from.column, from.row);
@@ -46,7 +48,8 @@ void main() {
   const uint in_rows = in_set(plan, from.column, from.row);
   const float first = paper_strength(facing, Floats(ping.samples.reflectivity).at[at], 2.0 * plan.neper_per_metre,
                                      mirror.range);
-  const float strength = first * abs(dot(normal, mirror.reflected)) * Floats(ping.reflectivity).at[second.label & 0xffffu];
+  const float reflectivity = texture * Floats(ping.reflectivity).at[second.label & 0xffffu];
+  const float strength = first * abs(dot(normal, mirror.reflected)) * reflectivity;
   const float power = shaped(plan, absorbed(strength, plan.neper_per_metre, path_length - 2.0 * mirror.range));
   const float weight =
       Floats(plan.share).at[in_rows] * Floats(plan.column_measure).at[from.column] * from.selected;

@@ -221,12 +221,13 @@ SceneHit trace(PlacedScene scene, vec3 origin, vec3 direction, float near, float
 struct Surface {
   uint label;     // SurfaceLabel
   uint triangle;
+  uint slot;      // Of the mesh's materials.
   vec3 normal;    // Shading normal, of any length and side.
 };
 
 Surface surface_at(PlacedScene scene, SceneHit hit) {
   if (hit.instance == kNoInstance) {
-    return Surface(kNoSurface, 0, vec3(0.0));
+    return Surface(kNoSurface, 0, 0, vec3(0.0));
   }
   const PlacedMesh placed = PlacedMeshes(scene.instances).at[hit.instance];
   Numbers corners = Numbers(placed.corners);
@@ -235,5 +236,5 @@ Surface surface_at(PlacedScene scene, SceneHit hit) {
   const vec3 normal = (1.0 - hit.u - hit.v) * normals.at[corners.at[first]] + hit.u * normals.at[corners.at[first + 1]] +
                       hit.v * normals.at[corners.at[first + 2]];
   const uint slot = placed.slots == 0 ? 0 : Numbers(placed.slots).at[hit.triangle];
-  return Surface(Numbers(placed.surfaces).at[slot], hit.triangle, mat3(placed.scene_from_mesh) * normal);
+  return Surface(Numbers(placed.surfaces).at[slot], hit.triangle, slot, mat3(placed.scene_from_mesh) * normal);
 }

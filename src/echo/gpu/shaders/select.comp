@@ -17,6 +17,7 @@ void main() {
   }
   CountersAt counts = CountersAt(ping.cells.counter);
   ReflectingHits hits = ReflectingHits(ping.reflecting);
+  const Axes axes = axes_of(ping, plan, column);
   uint sum = selection_start(column, plan.stagger);
   for (uint row = block * kSelectionRows; row < min((block + 1) * kSelectionRows, plan.rows); ++row) {
     const uint at = column * plan.rows + row;
@@ -27,13 +28,18 @@ void main() {
       float share = 0.0;
       if (met && plan.calibrated != 0) {
         const uint set = Uints(plan.row_set).at[column];
-        share = calibrated_share(mirrored(plan, material_of(plan, Uints(ping.samples.surface).at[at]), facing),
-                                 Floats(plan.share).at[set * plan.rows + row], Floats(plan.full_share).at[set]);
+        const float texture = Floats(ping.samples.reflectivity).at[at];
+        const float reflectance = mirrored(plan, material_of(plan, Uints(ping.samples.surface).at[at]), facing);
+        share = calibrated_share(texture * texture * reflectance, Floats(plan.share).at[set * plan.rows + row],
+                                 Floats(plan.full_share).at[set]);
       } else if (met) {
         share = paper_share(facing, Floats(ping.samples.reflectivity).at[at]);
       }
       sum += share_in_turns(share);
       selected = selected_weight(share, sum);
+    }
+    if (selected > 0.0 && ping.samples.gradient != 0) {
+      selected *= bent_sample(ping, at, direction_of(plan, axes, column, row)).escapes;
     }
     if (selected > 0.0) {
       hits.at[atomicAdd(counts.counters.reflected, 1u)] = Reflecting(column, row, selected);

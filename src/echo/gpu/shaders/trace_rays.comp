@@ -3,6 +3,9 @@
 
 #extension GL_GOOGLE_include_directive : require
 #include "scene.glsl"
+#include "echo/laws/prelude.h"
+#include "echo/laws/relief.h"
+#include "relief.glsl"
 
 layout(local_size_x = kGroup) in;
 
@@ -19,7 +22,9 @@ void main() {
   const PlacedScene scene = PlacedSceneAt(job.scene).scene;
   const LooseRay ray = Rays(job.rays).at[index];
   const SceneHit hit = trace(scene, ray.origin, ray.direction, ray.near, ray.far, false);
-  const Surface surface = surface_at(scene, hit);
+  Surface surface = surface_at(scene, hit);
+  const bool from_behind = dot(surface.normal, ray.direction) > 0.0;
+  const float texture = add_relief(scene, hit, ray.origin + hit.distance * ray.direction, surface);
   Hits(job.hits).at[index] = LooseHit(hit.instance == kNoInstance ? -1.0 : hit.distance, surface.label,
-                                      surface.triangle, surface.normal);
+                                      from_behind ? -surface.normal : surface.normal, texture);
 }
