@@ -12,10 +12,11 @@
 
 namespace insonify {
 
-Simulator::Simulator(Scenario scenario, Scene scene, int threads, std::span<const MovableObject> movable) {
+Simulator::Simulator(Scenario scenario, Scene scene, int threads, std::span<const MovableObject> movable,
+                     const Log& log, std::uint64_t pings) {
   scenario.validate();
   check_scene(scene);
-  state_ = std::make_unique<State>(std::move(scenario), std::move(scene), threads, movable);
+  state_ = std::make_unique<State>(std::move(scenario), std::move(scene), threads, movable, log, pings);
 }
 
 Simulator::~Simulator() = default;
@@ -24,6 +25,9 @@ Simulator& Simulator::operator=(Simulator&&) noexcept = default;
 
 const Scenario& Simulator::scenario() const {
   return state_->scenario;
+}
+const std::string& Simulator::engine_choice() const {
+  return state_->engine_choice;
 }
 std::span<const std::string> Simulator::too_many_thin_parts() const {
   const std::shared_ptr<const ThinParts>& parts = state_->targets.thin_parts;

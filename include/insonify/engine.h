@@ -79,6 +79,12 @@ class Engine;
 /// Names of the built-in engines.
 [[nodiscard]] std::vector<std::string_view> engine_names();
 
+/// Stands for the engine that is expected to be the fastest: one on a graphics card for fans of many beams, else `cpu`.
+inline constexpr std::string_view kAutoEngine = "auto";
+
+/// What Scenario::engine may be: kAutoEngine, and the names of the engines.
+[[nodiscard]] std::vector<std::string_view> engine_choices();
+
 /// The devices that engine `gpu` may run on, a text each: index, name, driver, and what one lacks; or why there is
 /// none.
 [[nodiscard]] std::vector<std::string> device_texts();

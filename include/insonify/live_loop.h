@@ -29,6 +29,7 @@ struct LiveWorld {
   Trajectory trajectory;            ///< The scenario's own, before shifting and steering.
   Scene scene;                      ///< With the sea surface.
   std::vector<SonarConfig> sonars;  ///< With default values filled in.
+  std::string engine_choice;        ///< Simulator::engine_choice()
 };
 
 /// Pose of one moving instance at a ping.

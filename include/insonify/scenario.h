@@ -94,7 +94,7 @@ struct Scenario {
   std::vector<std::string> arguments;  ///< Values for a Stonefish world, "px=8", as WorldOptions::arguments.
   bool parts = false;                  ///< An instance for each part of a mesh file, as WorldOptions::parts.
   EchoModel model = EchoModel::kCalibrated;
-  std::string engine = "cpu";
+  std::string engine = std::string(kAutoEngine);  ///< One of engine_choices().
   std::string device = {};
   PrimaryEchoes primary = PrimaryEchoes::kAuto;
   SecondaryEchoes secondary = SecondaryEchoes::kSelective;
@@ -190,17 +190,19 @@ struct Scenario {
         self.parts);
     visit(Field{"model", "", {}, "Echo model: calibrated (levels by the sonar equation) or paper (shaped strengths)."},
           self.model);
-    visit(Field{"engine",
-                "",
-                {},
-                "Engine that computes the echoes: cpu, gpu (a graphics card, by Vulkan; calibrated without a sea "
-                "surface so far), or reference (slow, for checks)."},
-          self.engine);
+    visit(
+        Field{"engine",
+              "",
+              {},
+              "Engine that computes the echoes: cpu, gpu (a graphics card, by Vulkan; calibrated without a sea "
+              "surface so far), reference (slow, for checks), or auto: gpu where it is expected to be faster (fans of "
+              "many beams, on a card), else cpu."},
+        self.engine);
     visit(Field{"device",
                 "",
                 {},
-                "Graphics card of engine gpu: a part of its name, or its index as `insonify version` lists it; without "
-                "one the fastest. Drivers that compute on the processor are used only where they are named."},
+                "Graphics card of engine gpu or auto: a part of its name, or its index as `insonify version` lists it; "
+                "without one the fastest. Drivers that compute on the processor are used only where they are named."},
           self.device);
     visit(Field{"primary", "", {}, "How the nearest surface in each direction is found; the echoes are the same."},
           self.primary);

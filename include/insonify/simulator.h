@@ -12,6 +12,7 @@
 
 #include "insonify/engine.h"
 #include "insonify/interrupted.h"
+#include "insonify/log.h"
 #include "insonify/ping.h"
 #include "insonify/ping_request.h"
 #include "insonify/scenario.h"
@@ -64,17 +65,24 @@ class Simulator {
   ///                 instances marked `moving`.
   /// @param threads  0: one for each processor. Pings do not depend on it.
   /// @param movable  More movable objects. Each costs a little speed, since it is traced apart from the static scene.
+  /// @param log      With `engine: auto`, receives a warning when a graphics card fails and `cpu` goes on.
+  /// @param pings    Pings of each sonar that will be made, which `engine: auto` considers; 0: unknown, many.
   /// @throws Error for what Scenario::validate() refuses, and for a motion or a name without an object.
-  Simulator(Scenario scenario, Scene scene, int threads = 0, std::span<const MovableObject> movable = {});
+  Simulator(Scenario scenario, Scene scene, int threads = 0, std::span<const MovableObject> movable = {},
+            const Log& log = {}, std::uint64_t pings = 0);
   ~Simulator();
   Simulator(Simulator&&) noexcept;
   Simulator& operator=(Simulator&&) noexcept;
 
-  /// The scenario as given, with the changes of set_sonar().
+  /// The scenario as given, with the changes of set_sonar(); `engine` is the name of the one that computes, which
+  /// `auto` stands for.
   [[nodiscard]] const Scenario& scenario() const;
 
   /// The current scene, after add_objects() and remove_object(); the sea surface is an instance of its own.
   [[nodiscard]] const Scene& scene() const;
+
+  /// A line that says which engine `engine: auto` has chosen at the start, and why; "" where the scenario names one.
+  [[nodiscard]] const std::string& engine_choice() const;
 
   /// Names of the objects with too many thin parts (ropes, nets) to be sampled on the object. They are sampled by the
   /// lattice like any other surface, so their echoes vary with their place among the samples. As of the last ping or

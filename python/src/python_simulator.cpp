@@ -48,7 +48,7 @@ std::vector<MovedObject> moved_from(py::handle value) {
 }  // namespace
 
 PythonSimulator::PythonSimulator(Scenario scenario, Scene scene, int threads, const std::vector<MovableObject>& movable)
-    : simulator_(std::move(scenario), std::move(scene), threads, movable),
+    : simulator_(std::move(scenario), std::move(scene), threads, movable, warnings_log()),
       known_(look()),
       next_(known_->facts.size(), 0) {
   simulator_.stop_when(&stop_at_end());

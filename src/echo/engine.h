@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -28,11 +29,18 @@ struct EngineKind {
   bool complete = true;
   /// @param device  See Scenario::device; "" for an engine that has no choice.
   std::unique_ptr<Engine> (*make)(Workers& workers, std::string_view device) = nullptr;
+  /// Name of the device in hardware that it would compute on, for `auto`, which takes no other; null for an engine on
+  /// the host.
+  /// @throws Error where there is none, with what was found.
+  std::string (*find_hardware)(std::string_view device) = nullptr;
 };
 
 /// The kind of engine of that name.
 /// @throws Error if there is none; the message lists the names.
 [[nodiscard]] const EngineKind& engine_kind(std::string_view name);
+
+/// The kinds that compute on devices, the last added first.
+[[nodiscard]] std::vector<const EngineKind*> kinds_on_devices();
 
 /// Adds a kind of engine to the list, which must live as long as the program: for engines that are not part of the
 /// library. Not while another thread uses the list.

@@ -12,10 +12,12 @@ constexpr const char* kWhy = "insonify was built without Vulkan (Debian, Ubuntu:
 }  // namespace
 
 const EngineKind& gpu_kind() {
-  static const EngineKind kind = {
-      .name = "gpu", .complete = false, .make = [](Workers&, std::string_view) -> std::unique_ptr<Engine> {
-        throw Error(std::string("engine gpu: ") + kWhy);
-      }};
+  static const EngineKind kind = {.name = "gpu",
+                                  .complete = false,
+                                  .make = [](Workers&, std::string_view) -> std::unique_ptr<Engine> {
+                                    throw Error(std::string("engine gpu: ") + kWhy);
+                                  },
+                                  .find_hardware = [](std::string_view) -> std::string { throw Error(kWhy); }};
   return kind;
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "echo/cpu/cpu_engine.h"
 #include "echo/engine.h"
@@ -28,6 +29,19 @@ std::vector<std::string_view> engine_names() {
     names.push_back(kind->name);
   }
   return names;
+}
+
+std::vector<std::string_view> engine_choices() {
+  std::vector<std::string_view> choices = engine_names();
+  choices.insert(choices.begin(), kAutoEngine);
+  return choices;
+}
+
+std::vector<const EngineKind*> kinds_on_devices() {
+  std::vector<const EngineKind*> found;
+  std::ranges::copy_if(kinds().rbegin(), kinds().rend(), std::back_inserter(found),
+                       [](const EngineKind* kind) { return kind->find_hardware != nullptr; });
+  return found;
 }
 
 const EngineKind& engine_kind(std::string_view name) {

@@ -67,9 +67,10 @@ void Device::check(VkResult result, std::string_view what) {
     throw DeviceLost(fmt::format("device \"{}\" was lost: {}", info_.name, what));
   }
   if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY) {
-    throw Error(fmt::format("device \"{}\" has no memory left ({} MB in use): {}", info_.name, bytes_ >> 20U, what));
+    throw DeviceFailure(
+        fmt::format("device \"{}\" has no memory left ({} MB in use): {}", info_.name, bytes_ >> 20U, what));
   }
-  throw Error(fmt::format("device \"{}\" {} (error {})", info_.name, what, static_cast<int>(result)));
+  throw DeviceFailure(fmt::format("device \"{}\" {} (error {})", info_.name, what, static_cast<int>(result)));
 }
 
 void Device::check_messages() {
@@ -91,7 +92,7 @@ std::uint32_t Device::memory_type(std::uint32_t allowed, Memory memory) const {
       }
     }
   }
-  throw Error(fmt::format("device \"{}\" has no memory that the host can read", info_.name));
+  throw DeviceFailure(fmt::format("device \"{}\" has no memory that the host can read", info_.name));
 }
 
 }  // namespace insonify::gpu

@@ -11,14 +11,14 @@
 #include <string>
 #include <string_view>
 
+#include "base/device_failure.h"
 #include "gpu/instance.h"
-#include "insonify/error.h"
 
 namespace insonify::gpu {
 
 /// A device stopped answering in the middle of its work: what it held is lost, and only a new one can go on.
-struct DeviceLost : Error {
-  using Error::Error;
+struct DeviceLost : DeviceFailure {
+  using DeviceFailure::DeviceFailure;
 };
 
 /// Where a buffer's memory is.

@@ -172,6 +172,21 @@ std::string Instance::take_message() {
   return std::exchange(message_, {});
 }
 
+bool has_device_files(const std::filesystem::path& folder) {
+  const auto any = [](const std::filesystem::path& in, std::initializer_list<std::string_view> beginnings) {
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(in, ignored)) {
+      const std::string name = entry.path().filename().string();
+      if (std::ranges::any_of(beginnings, [&](std::string_view one) { return name.starts_with(one); })) {
+        return true;
+      }
+    }
+    return false;
+  };
+  // Direct Rendering Manager, NVIDIA's drivers (also for Jetson), Windows' (WSL), and those of embedded cards.
+  return any(folder / "dri", {"renderD"}) || any(folder, {"nvidia", "nvgpu", "nvhost", "dxg", "mali", "kgsl"});
+}
+
 const DeviceInfo& choose_device(const std::vector<DeviceInfo>& devices, std::string_view wanted) {
   const DeviceInfo* found = nullptr;
   if (wanted.empty()) {

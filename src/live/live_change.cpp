@@ -35,7 +35,8 @@ std::unique_ptr<Simulator> LiveBuilder::build(const Scenario& scenario, const Li
     scene.instances.push_back(object.instance);
   }
   assign_scenario_materials(scene, scenario, log);
-  return std::make_unique<Simulator>(scenario_from(scenario, start), std::move(scene), threads_);
+  return std::make_unique<Simulator>(scenario_from(scenario, start), std::move(scene), threads_,
+                                     std::span<const MovableObject>(), log);
 }
 
 LivePrepared LiveBuilder::prepare(std::span<const LiveChange> changes, const LiveSettings& settings,

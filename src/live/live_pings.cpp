@@ -30,10 +30,12 @@ std::vector<MovedInstance> moved_instances(Simulator& simulator, const PingReque
   return moved;
 }
 
-LiveWorld world_of(Scenario scenario, const Scene& scene) {
+LiveWorld world_of(Scenario scenario, const Simulator& simulator) {
   LiveWorld world;
   world.scenario = std::move(scenario);
-  world.scene = scene;
+  world.scenario.engine = simulator.scenario().engine;
+  world.engine_choice = simulator.engine_choice();
+  world.scene = simulator.scene();
   for (const SonarConfig& sonar : world.scenario.sonars) {
     world.sonars.push_back(world.scenario.filled_in(sonar));
   }
@@ -81,7 +83,7 @@ void LiveLoop::State::begin_run(LiveStart start, Lock& lock) {
 
 // Makes the world for the following pings and announces it to the listener.
 void LiveLoop::State::announce_world(Lock& lock) {
-  auto next_world = std::make_shared<LiveWorld>(world_of(scenario_from(scenario, run->start()), simulator->scene()));
+  auto next_world = std::make_shared<LiveWorld>(world_of(scenario_from(scenario, run->start()), *simulator));
   next_world->change = world ? world->change + 1 : 0;
   next_world->trajectory = scenario.trajectory;
   world = next_world;
@@ -120,8 +122,8 @@ void LiveLoop::State::apply(LivePrepared next, Lock& lock) {
   const LiveStart start = next.start.value_or(start_after(next.way, next.place, next.scenario, standing()));
   (void)LiveRun(scenario_from(next.scenario, start), start);
   if (begins_recording) {  // Before anything changes.
-    const Scene& scene = (next.simulator ? *next.simulator : *simulator).scene();
-    const LiveWorld trial = world_of(scenario_from(next.scenario, start), scene);
+    const Simulator& made = next.simulator ? *next.simulator : *simulator;
+    const LiveWorld trial = world_of(scenario_from(next.scenario, start), made);
     recorder = std::make_unique<LiveRecorder>(next.recording, 0, trial, next.replace, options.messages, log());
     recording_path = next.recording;
     recording_replaces = next.replace;

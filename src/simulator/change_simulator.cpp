@@ -16,7 +16,7 @@ PreparedSonar& PreparedSonar::operator=(PreparedSonar&&) noexcept = default;
 
 void Simulator::State::set(int index, SimulatedSonar sonar, const Scenario& changed) {
   sonars[index] = std::move(sonar);
-  runner.emplace(*engine, workers);  // Its grids have the shape of the earlier sonar.
+  start_runner();  // Its grids have the shape of the earlier sonar.
   scenario.sonars[index] = changed.sonars[index];
   set_senders();
   if (sea && sea->fit(changed, scene)) {

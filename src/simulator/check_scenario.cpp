@@ -94,11 +94,12 @@ void check_thrusters(const Scenario& scenario) {
 }
 
 void check_engine(const Scenario& scenario) {
-  const std::vector<std::string_view> names = engine_names();
+  const std::vector<std::string_view> names = engine_choices();
   if (std::ranges::find(names, scenario.engine) == names.end()) {
     throw Error("", "engine", fmt::format(" = \"{}\" must be {}", scenario.engine, fmt::join(names, " or ")));
   }
-  if (scenario.model == EchoModel::kCalibrated && scenario.surface && !engine_kind(scenario.engine).complete) {
+  if (scenario.model == EchoModel::kCalibrated && scenario.surface && scenario.engine != kAutoEngine &&
+      !engine_kind(scenario.engine).complete) {
     throw Error("", "engine", fmt::format(" = {} computes no sea surface in model = calibrated yet", scenario.engine));
   }
 }

@@ -145,14 +145,33 @@ void Simulator::State::make(std::span<const PingOrder> orders) {
       refused = std::current_exception();
     }
     for (std::size_t first = 0; first < count;) {
+      if (scenario.engine != engine->kind().name) {
+        start_runner();  // A device has failed since, outside of batches.
+      }
       const std::span<const PingView> left = std::span(views_).subspan(first, count - first);
       const std::size_t together = runner->capacity(left);
-      make_batch(some.subspan(first, together), left.first(together), first);
-      first += together;
+      if (try_batch(some.subspan(first, together), left.first(together), first)) {
+        first += together;
+      }
     }
     if (refused) {
       std::rethrow_exception(refused);
     }
+  }
+}
+
+bool Simulator::State::try_batch(std::span<const PingOrder> orders, std::span<const PingView> views,
+                                 std::size_t first) {
+  try {
+    make_batch(orders, views, first);
+    return true;
+  } catch (const DeviceFailure& failure) {
+    if (spare == nullptr) {
+      throw;
+    }
+    spare->give_up(failure);
+    start_runner();
+    return false;
   }
 }
 

@@ -2,19 +2,35 @@
 
 #include "simulator/simulator_state.h"
 
+#include <algorithm>
+
+#include "echo/choose_engine.h"
 #include "insonify/error.h"
 #include "simulator/checks.h"
 
 namespace insonify {
 
-Simulator::State::State(Scenario the_scenario, Scene the_scene, int threads, std::span<const MovableObject> movable)
-    : scenario(std::move(the_scenario)),
-      scene(std::move(the_scene)),
-      workers(threads),
-      engine(make_engine(scenario.engine, workers, scenario.device)) {
-  if (scenario.model == EchoModel::kPaper) {
-    engine->expect_paper();
+namespace {
+
+// What engines that are not complete refuse; "" for nothing.
+std::string_view uncommon_needs(const Scenario& scenario) {
+  return scenario.model == EchoModel::kCalibrated && scenario.surface ? "sea surface in model = calibrated" : "";
+}
+
+PingLoad load_of(const Scene& scene, std::span<const SimulatedSonar> sonars, int threads, std::uint64_t pings) {
+  PingLoad load{.triangles = static_cast<double>(scene.triangle_count()), .threads = threads, .pings = pings};
+  for (const SimulatedSonar& sonar : sonars) {
+    load.beams = std::max(load.beams, sonar.config.beam_count);
+    load.samples += static_cast<double>(sonar.plan->lattice.columns) * sonar.plan->lattice.rows;
   }
+  return load;
+}
+
+}  // namespace
+
+Simulator::State::State(Scenario the_scenario, Scene the_scene, int threads, std::span<const MovableObject> movable,
+                        const Log& log, std::uint64_t pings)
+    : scenario(std::move(the_scenario)), scene(std::move(the_scene)), workers(threads) {
   try {
     objects.add(scenario.motions, scene);
   } catch (const Error& error) {
@@ -29,7 +45,33 @@ Simulator::State::State(Scenario the_scenario, Scene the_scene, int threads, std
     sonars.push_back(simulated(scenario, sonar));
   }
   set_senders();
+  start_engine(log, pings);
   load_scene();
+}
+
+void Simulator::State::start_engine(const Log& log, std::uint64_t pings) {
+  if (scenario.engine == kAutoEngine) {
+    const EngineChoice choice =
+        choose_engine(load_of(scene, sonars, workers.count(), pings), scenario.device, uncommon_needs(scenario));
+    engine_choice = choice.text;
+    if (choice.kind->find_hardware == nullptr) {
+      engine = choice.kind->make(workers, "");
+    } else {
+      auto on_device = std::make_unique<SpareEngine>(*choice.kind, scenario.device, workers, log);
+      spare = on_device.get();
+      engine = std::move(on_device);
+    }
+  } else {
+    engine = make_engine(scenario.engine, workers, scenario.device);
+  }
+  if (scenario.model == EchoModel::kPaper) {
+    engine->expect_paper();
+  }
+}
+
+void Simulator::State::start_runner() {
+  runner.emplace(*engine, workers);
+  scenario.engine = engine->kind().name;
 }
 
 void Simulator::State::set_senders() {
@@ -55,7 +97,7 @@ void Simulator::State::load_scene() {
     return;
   }
   engine->set_scene(scene);
-  runner.emplace(*engine, workers);
+  start_runner();
   at_home.clear();
   for (const Instance& instance : scene.instances) {
     at_home.push_back(instance.world_from_mesh);

@@ -6,10 +6,12 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "echo/batch/batch_runner.h"
 #include "echo/engine.h"
+#include "echo/spare_engine.h"
 #include "echo/targets/scene_targets.h"
 #include "insonify/simulator.h"
 #include "receiver/ping_motion.h"
@@ -21,7 +23,8 @@
 namespace insonify {
 
 struct Simulator::State {
-  State(Scenario the_scenario, Scene the_scene, int threads, std::span<const MovableObject> movable);
+  State(Scenario the_scenario, Scene the_scene, int threads, std::span<const MovableObject> movable, const Log& log,
+        std::uint64_t pings);
 
   /// Makes a sonar of the scenario `in` for the scene of this simulator.
   [[nodiscard]] SimulatedSonar simulated(const Scenario& in, const SonarConfig& sonar) const;
@@ -48,7 +51,9 @@ struct Simulator::State {
   Scenario scenario;
   Scene scene;
   Workers workers;
+  std::string engine_choice;  ///< See Simulator::engine_choice().
   std::unique_ptr<Engine> engine;
+  SpareEngine* spare = nullptr;  ///< `engine`, where `auto` has taken a device.
   std::optional<BatchRunner> runner;
   MovableObjects objects;
   std::optional<SeaPlane> sea;
@@ -63,12 +68,21 @@ struct Simulator::State {
  private:
   class Receiver;
 
+  /// Makes the engine of the scenario.
+  void start_engine(const Log& log, std::uint64_t pings);
+
+  /// Makes the runner of batches for the present engine.
+  void start_runner();
+
   // Sets views_[i], and what belongs to it.
   // @throws Error for an invalid request.
   void set_view(std::size_t i, int sonar, const PingRequest& request);
 
   // @param first  The first of the views in `views_`.
   void make_batch(std::span<const PingOrder> orders, std::span<const PingView> views, std::size_t first);
+
+  // False if the device of `spare` has failed, with another engine in its place.
+  bool try_batch(std::span<const PingOrder> orders, std::span<const PingView> views, std::size_t first);
   [[nodiscard]] SourceSet* sources_of(SimulatedSonar& sonar, std::size_t slot);
 
   // Views of the pings that are being made, reused from call to call.

@@ -68,7 +68,7 @@ constexpr Mistake kMistakes[] = {
     {"NoPings", "insonify run fan.yaml --pings 0", 2,
      "insonify: --pings: 0 must be a whole number, from 1 to 1000000000 (insonify run --help)"},
     {"UnknownEngine", "insonify run fan.yaml --engine abacus", 2,
-     "insonify: --engine: abacus must be cpu or gpu or reference (insonify run --help)"},
+     "insonify: --engine: abacus must be auto or cpu or gpu or reference (insonify run --help)"},
     {"NegativeSeed", "insonify run fan.yaml --seed -1", 2,
      "insonify: --seed: -1 must be a whole number, from 0 to 18446744073709551615 (insonify run --help)"},
     {"WordForThreads", "insonify run fan.yaml --threads many", 2,

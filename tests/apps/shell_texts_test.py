@@ -88,7 +88,7 @@ class BashCompletion(unittest.TestCase):
         self.assertEqual(bash("insonify", "bench", "engine", "--tr"), {"--triangles"})
 
     def test_suggests_what_an_option_takes(self):
-        self.assertLessEqual({"cpu", "gpu", "reference"}, bash("insonify", "run", "--engine", ""))
+        self.assertLessEqual({"auto", "cpu", "gpu", "reference"}, bash("insonify", "run", "--engine", ""))
         self.assertEqual(bash("insonify", "compare", "a.h5", "b.h5", "--scale", "d"), {"db"})
         self.assertEqual(bash("insonify", "run", "--pings", ""), set())
 
@@ -111,7 +111,7 @@ class FishCompletion(unittest.TestCase):
         self.assertEqual(fish("insonify "), COMMANDS)
         self.assertEqual(fish("insonify bench "), {"engine", "paper", "primary", "batch", "device", "changes", "sampling", "growth"})
         self.assertEqual(fish("insonify run --no-"), {"--no-pictures", "--no-view"})
-        self.assertEqual(fish("insonify run --engine "), {"cpu", "gpu", "reference"})
+        self.assertEqual(fish("insonify run --engine "), {"auto", "cpu", "gpu", "reference"})
         self.assertEqual(fish("insonify sonars tritech-micron"), {"tritech-micron-dst"})
 
 
@@ -121,7 +121,7 @@ class ZshCompletion(unittest.TestCase):
         self.assertLessEqual(COMMANDS, zsh("insonify "))
         self.assertLessEqual({"engine", "paper", "primary", "batch", "changes", "sampling", "growth"}, zsh("insonify bench "))
         self.assertLessEqual({"--no-pictures", "--no-view"}, zsh("insonify run --no-"))
-        self.assertLessEqual({"cpu", "reference"}, zsh("insonify run --engine "))
+        self.assertLessEqual({"auto", "cpu", "reference"}, zsh("insonify run --engine "))
         self.assertLessEqual({"tritech-gemini-720i", "tritech-gemini-720is"}, zsh("insonify sonars tritech-gemini-"))
 
 

@@ -443,6 +443,21 @@ TEST_F(GpuEngineTest, ChangedScenesGiveThePingsOfCpu) {
   EXPECT_EQ(pings[1][0].intensity, pings[1][2].intensity);
 }
 
+// Rays that are not those of a ping, as cameras trace them.
+TEST_F(GpuEngineTest, LooseRaysMeetObjectsWhereTheyWerePlaced) {
+  Scene scene = SceneMaker().add_sphere({8, 0, 0}, 1).scene();
+  scene.instances[0].moving = true;
+  const auto engine = test_engine("gpu");
+  engine->set_scene(scene);
+  const std::vector<Ray> ray = {{.origin = Vec3::Zero(), .direction = Vec3::UnitX()}};
+  std::vector<Hit> hit(1);
+  engine->engine().trace(ray, hit);
+  EXPECT_NEAR(hit[0].distance, 7, 1e-3);
+  engine->move_instance(0, {.position = {5, 0, 0}});
+  engine->engine().trace(ray, hit);
+  EXPECT_NEAR(hit[0].distance, 4, 1e-3);
+}
+
 // The driver's answer when a card falls off the bus.
 VkResult lose(VkQueue, std::uint32_t, const VkSubmitInfo*, VkFence) {
   return VK_ERROR_DEVICE_LOST;

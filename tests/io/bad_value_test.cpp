@@ -58,7 +58,7 @@ const BadScenario kCases[] = {
     {"UnknownSecondary", "world: floor.obj\nsecondary: some\nsonars: [{name: fls}]\n",
      "scenario.yaml:2:1: secondary = \"some\" must be none, selective or all"},
     {"UnknownEngine", "world: floor.obj\nengine: abacus\nsonars: [{name: fls}]\n",
-     "scenario.yaml:2:1: engine = \"abacus\" must be cpu or gpu or reference"},
+     "scenario.yaml:2:1: engine = \"abacus\" must be auto or cpu or gpu or reference"},
     {"UnknownModel", "world: floor.obj\nmodel: papre\nsonars: [{name: fls}]\n",
      "scenario.yaml:2:1: model = \"papre\" must be paper or calibrated"},
     {"FourSurfaces", "world: floor.obj\nmax_surfaces: 4\nsonars: [{name: fls}]\n",

@@ -32,6 +32,7 @@ constexpr BatchCase kCases[] = {{"small, paper", EchoModel::kPaper},
 Scenario batch_scenario(const BatchCase& of) {
   Scenario scenario;
   scenario.model = of.model;
+  scenario.engine = "cpu";
   SonarConfig sonar = bench_sonar();
   sonar.beam_count = of.beams;
   sonar.bin_count = of.bins;

@@ -94,6 +94,7 @@ int bench_changes(const BenchOptions& options) {
          {std::pair(EchoModel::kPaper, "paper"), std::pair(EchoModel::kCalibrated, "calibrated")}) {
       Scenario scenario;
       scenario.model = model;
+      scenario.engine = "cpu";
       scenario.sonars = {bench_sonar()};
       Simulator simulator(scenario, scene, kThreads);
       for (const Change& change : time_changes(simulator, options.repetitions)) {

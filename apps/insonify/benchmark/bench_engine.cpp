@@ -101,6 +101,7 @@ std::vector<EngineRow> time_rows(const Scene& scene, SecondaryEchoes secondary, 
                                  const BenchOptions& options) {
   Scenario scenario;
   scenario.model = EchoModel::kPaper;
+  scenario.engine = "cpu";
   scenario.sonars = {bench_sonar()};
   scenario.secondary = secondary;
   std::vector<std::unique_ptr<EngineRunner>> runners;

@@ -35,6 +35,7 @@ struct Growth {
 
 GrowthCase base_case(int triangles) {
   GrowthCase made{{}, make_bench_scene(triangles)};
+  made.scenario.engine = "cpu";
   made.scenario.sonars = {bench_sonar()};
   return made;
 }
@@ -111,6 +112,7 @@ GrowthCase with_faces(int faces) {
     }
   }
   GrowthCase made;
+  made.scenario.engine = "cpu";
   made.scenario.sonars = {bench_sonar()};
   made.scene.instances = {object_of(std::make_shared<const Mesh>(std::move(all)), Vec3::Zero(), "steel")};
   assign_materials(made.scene, {});
@@ -120,6 +122,7 @@ GrowthCase with_faces(int faces) {
 GrowthCase with_instances(int instances) {
   const auto ball = std::make_shared<const Mesh>(make_sphere(0.3, 0.3));
   GrowthCase made;
+  made.scenario.engine = "cpu";
   made.scenario.sonars = {bench_sonar()};
   Places places(instances);
   for (int i = 0; i < instances; ++i) {

@@ -45,6 +45,7 @@ constexpr std::size_t kStageCount = std::size(kStages);
 Scenario scenario_of(std::size_t stage) {
   Scenario scenario;
   scenario.sonars = {bench_sonar()};
+  scenario.engine = "cpu";
   scenario.sonars[0].azimuth_resolution = radians_from_degrees(1);
   scenario.primary = PrimaryEchoes::kRays;
   scenario.secondary = SecondaryEchoes::kSelective;

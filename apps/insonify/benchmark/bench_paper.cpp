@@ -51,6 +51,7 @@ struct PaperRow {
 void sample(PaperRow& row, const PaperBenchOptions& options, std::uint64_t number) {
   Scenario scenario;
   scenario.model = EchoModel::kPaper;
+  scenario.engine = "cpu";
   scenario.sonars = {sonar_of(*row.setup, options.filled ? 10 : 0)};
   scenario.primary = row.mode->primary;
   scenario.secondary = row.mode->secondary;

@@ -52,6 +52,7 @@ class PrimaryRunner {
   static Scenario scenario_of(const SonarConfig& sonar, PrimaryEchoes primary) {
     Scenario scenario;
     scenario.model = EchoModel::kPaper;
+    scenario.engine = "cpu";
     scenario.sonars = {sonar};
     scenario.primary = primary;
     scenario.secondary = SecondaryEchoes::kNone;

@@ -90,6 +90,7 @@ Case generated_case(int triangles) {
   Case made;
   made.scene = make_bench_scene(triangles);
   made.name = fmt::format("{} triangles", made.scene.triangle_count());
+  made.scenario.engine = "cpu";
   made.scenario.sonars = {bench_sonar()};
   made.scenario.trajectory.waypoints = {{.time = 0}, {.time = 60, .position = {3, 0.7, 0.2}}};
   return made;

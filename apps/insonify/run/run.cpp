@@ -28,7 +28,11 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-void print_world(const Scene& scene, double seconds) {
+void print_world(const Simulator& simulator, double seconds) {
+  const Scene& scene = simulator.scene();
+  if (!simulator.engine_choice().empty()) {
+    say("{}\n", simulator.engine_choice());
+  }
   say("world: {} of {}, {}, ready in {:.2f} s\n", counted(scene.instances.size(), "object"),
       counted(scene.triangle_count(), "triangle"), size_text(scene), seconds);
   flush_output();  // The first ping can take long.
@@ -63,9 +67,10 @@ Simulator prepare(const RunOptions& options, const std::filesystem::path& folder
       refuse_earlier_run(folder, scenario, endings_of(options.record));
     }
     Scene scene = load_scene(scenario, log_to_user(options.quiet));
-    Simulator simulator(std::move(scenario), std::move(scene), options.threads);
+    const std::uint64_t pings = ScenarioRequests(scenario).total_pings() / scenario.sonars.size();
+    Simulator simulator(std::move(scenario), std::move(scene), options.threads, {}, log_to_user(options.quiet), pings);
     if (!options.quiet) {
-      print_world(simulator.scene(), seconds_since(start));
+      print_world(simulator, seconds_since(start));
     }
     return simulator;
   });

@@ -41,7 +41,7 @@ std::string recordings_text() {
 }
 
 std::vector<std::string> engines() {
-  const auto names = engine_names();
+  const auto names = engine_choices();
   return {names.begin(), names.end()};
 }
 
@@ -57,9 +57,13 @@ void add_input_options(const Command& command, RunLine& line) {
   command.option("--turns", "N", &line.turns, "Instead: full turns of a scanning head, or sweeps across its sector",
                  number_within(above_to(0, 1e6)));
   command.exclude("--turns", {"--pings", "--duration"});
-  command.option("--engine", "NAME", &line.engine,
-                 "Engine that computes the echoes: cpu, gpu (a graphics card), or reference (slow)", one_of(engines()));
-  command.option("--device", "NAME", &line.device, "Graphics card of engine gpu: a part of its name, or its index");
+  command.option(
+      "--engine", "NAME", &line.engine,
+      "Engine that computes the echoes: cpu, gpu (a graphics card), reference (slow), or auto: the faster of "
+      "cpu and gpu",
+      one_of(engines()));
+  command.option("--device", "NAME", &line.device,
+                 "Graphics card of engine gpu or auto: a part of its name, or its index");
   command.option("--seed", "N", &line.seed, "Start of the random numbers",
                  whole_number(0, std::numeric_limits<std::uint64_t>::max()));
   command.flag("--strict", &line.strict, "End with an error if a part of the world is missing");

@@ -90,6 +90,15 @@ void print_addresses(const PageServerOptions& options, std::uint16_t port) {
   flush_output();
 }
 
+// Says which engine computes, where `auto` has chosen it.
+void print_engine(PingSource& source, bool quiet) {
+  const LiveLoop* const loop = source.simulation();
+  if (loop != nullptr && !quiet && !loop->world()->engine_choice.empty()) {
+    say("{}\n", loop->world()->engine_choice);
+    flush_output();
+  }
+}
+
 void check(const PageServerOptions& options) {
   for (const std::string& origin : options.origins) {
     if (!is_origin(origin)) {
@@ -187,6 +196,7 @@ void PageServer::show(PingSource& source, const std::filesystem::path& recording
   }
   server_->every(std::chrono::seconds(1), [&hub] { hub.send_state(); });
   print_addresses(options_, server_->port());
+  print_engine(source, options_.quiet);
   server_->run();
   source.end();
 }

@@ -58,6 +58,10 @@ Bridge::~Bridge() {
 void Bridge::start() {
   translating_ = std::thread([this] { translate(); });
   loop_->start(*this);
+  if (const std::string choice = loop_->world()->engine_choice; !options_.quiet && !choice.empty()) {
+    say("{}\n", choice);
+    flush_output();
+  }
 }
 
 void Bridge::end() {

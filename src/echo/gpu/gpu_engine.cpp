@@ -36,11 +36,33 @@ const BoxCut& GpuWorld::boxes_at(const Placement* placement) {
   return boxes_;
 }
 
-const EngineKind GpuEngine::kKind = {
-    .name = "gpu", .complete = false, .make = [](Workers& workers, std::string_view device) -> std::unique_ptr<Engine> {
-      const char* preferred = std::getenv("INSONIFY_DEVICE");
-      return std::make_unique<GpuEngine>(workers, device.empty() && preferred != nullptr ? preferred : device);
-    }};
+namespace {
+
+// INSONIFY_DEVICE where no device is named.
+std::string_view wanted_device(std::string_view device) {
+  const char* preferred = std::getenv("INSONIFY_DEVICE");
+  return device.empty() && preferred != nullptr ? preferred : device;
+}
+
+std::string find_hardware(std::string_view device) {
+  if (!gpu::has_device_files()) {
+    throw Error("this machine has no graphics card");
+  }
+  const gpu::DeviceInfo& found = gpu::choose_device(gpu::Instance::only().devices(), wanted_device(device));
+  if (!found.hardware) {
+    throw Error(fmt::format("device \"{}\" computes on the processor", found.name));
+  }
+  return found.name;
+}
+
+}  // namespace
+
+const EngineKind GpuEngine::kKind = {.name = "gpu",
+                                     .complete = false,
+                                     .make = [](Workers& workers, std::string_view device) -> std::unique_ptr<Engine> {
+                                       return std::make_unique<GpuEngine>(workers, wanted_device(device));
+                                     },
+                                     .find_hardware = find_hardware};
 
 const EngineKind& gpu_kind() {
   return GpuEngine::kKind;

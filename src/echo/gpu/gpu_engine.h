@@ -19,7 +19,7 @@ class GpuEngine final : public Engine {
   [[nodiscard]] const EngineKind& kind() const override { return kKind; }
   void set_scene(const Scene& scene) override { world_.set(scene, expects_paper(), workers_); }
   void leave_out(std::shared_ptr<const LeftOut> left_out) override { world_.scene.leave_out(left_out.get()); }
-  void place(const Placement&) override {}  // Each batch places its instances itself.
+  void place(const Placement& placement) override { world_.scene.move(placement); }
   [[nodiscard]] std::unique_ptr<EchoBatch> make_batch() override {
     return std::make_unique<GpuBatch>(world_, kernels_, workers_);
   }

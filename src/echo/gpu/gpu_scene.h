@@ -54,7 +54,10 @@ class GpuScene {
   /// Sets the primary echoes that are left out, until the next set(). Null: none.
   void leave_out(const LeftOut* left_out);
 
-  /// Puts the instances where a placement has them; null: where the scene has them. Commands that use it must copy its
+  /// Moves the instances to where a placement has them, until the next call or set().
+  void move(const Placement& placement) { moved_ = placement.moved; }
+
+  /// Puts the instances where a placement has them; null: where move() has them. Commands that use it must copy its
   /// buffer first; nothing is done where they are there already.
   void place(const Placement* placement, GpuPlacement& placed) const;
 
@@ -74,6 +77,7 @@ class GpuScene {
   std::uint64_t number_ = 0;  // Calls of set() and leave_out().
   Vec3 origin_ = Vec3::Zero();
   std::map<const Mesh*, std::unique_ptr<GpuMesh>> meshes_;
+  std::vector<Placement::Moved> moved_;  // By move().
   std::vector<const GpuMesh*> mesh_of_;  // [instance]; null where it is not present.
   GpuReliefs reliefs_;
   gpu::Buffer surfaces_;                                              // All instances', slot by slot.

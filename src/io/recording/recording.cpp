@@ -99,9 +99,9 @@ void put_run(const H5Writer& writer, const Scenario& scenario, const Scene& scen
   writer.attribute(root, "version", kVersion);
   writer.attribute(root, "model", std::string(word_of(scenario.model)));
   writer.attribute(root, "engine", scenario.engine);
-  const PrimaryEchoes primary =
-      primary_echoes(scenario.primary, sonar, scene.triangle_count(), engine_kind(scenario.engine).draws_primaries,
-                     scenario.has_even_rows(sonar));
+  const EngineKind& kind = engine_kind(scenario.engine == kAutoEngine ? "cpu" : scenario.engine);
+  const PrimaryEchoes primary = primary_echoes(scenario.primary, sonar, scene.triangle_count(), kind.draws_primaries,
+                                               scenario.has_even_rows(sonar));
   writer.attribute(root, "primary", primary == PrimaryEchoes::kRays ? "rays" : "raster");
   writer.attribute(root, "seed", scenario.seed);
   writer.attribute(root, "scenario", scenario.text.empty() ? to_yaml(scenario) : scenario.text);

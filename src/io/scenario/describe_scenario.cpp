@@ -87,7 +87,7 @@ void add_sections(std::string name, std::string help, const SettingsTable& table
   add_keys(section, table);
   if (&table == &table_of<Scenario>()) {
     std::ranges::find(section.keys, "engine", &KeyDescription::key)->allowed =
-        fmt::format("{}", fmt::join(engine_names(), ", "));
+        fmt::format("{}", fmt::join(engine_choices(), ", "));
   }
   for (const PartEntry& part : table.parts) {
     section.keys.push_back({std::string(part.name), "", std::string(part.kind), kNoDefault, std::string(part.help)});
