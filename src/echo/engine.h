@@ -24,7 +24,6 @@ namespace insonify {
 struct EngineKind {
   std::string_view name;         ///< Lower case, as in scenarios and on the command line.
   bool draws_primaries = false;  ///< Whether it can rasterise primary echoes (PrimaryEchoes::kRaster).
-  bool brute_force = false;      ///< Whether trace() tests every triangle: too slow to examine a whole scene.
   /// Whether it computes all of EchoModel::kCalibrated; if not, the sea's surface is refused.
   bool complete = true;
   /// @param device  See Scenario::device; "" for an engine that has no choice.

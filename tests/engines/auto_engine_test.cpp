@@ -172,13 +172,11 @@ TEST_F(AutoEngineTest, CpuGoesOnInTheMiddleOfARun) {
 }
 
 TEST_F(AutoEngineTest, CpuGoesOnAmongTheRaysOfSources) {
-  for (const int traces : {0, 1, 5}) {
-    Simulator simulator = make(scenario("auto"));
-    card.traces = traces;
-    expect_pings_of_cpu(simulator);
-    EXPECT_EQ(simulator.scenario().engine, "cpu");
-    EXPECT_THAT(lines, ElementsAre("device \"card\" was lost: rays; engine cpu goes on"));
-  }
+  Simulator simulator = make(scenario("auto"));
+  card.traces = 0;
+  expect_pings_of_cpu(simulator);
+  EXPECT_EQ(simulator.scenario().engine, "cpu");
+  EXPECT_THAT(lines, ElementsAre("device \"card\" was lost: rays; engine cpu goes on"));
 }
 
 TEST_F(AutoEngineTest, CpuGoesOnWhereTheSceneDoesNotFit) {

@@ -15,6 +15,7 @@
 #include "echo/gpu/gpu_plan.h"
 #include "echo/gpu/shaders/layout.h"
 #include "echo/model/left_out.h"
+#include "echo/targets/scene_targets.h"
 #include "engines/random_scene.h"
 #include "gpu/device.h"
 #include "support/message_of.h"
@@ -84,6 +85,32 @@ TEST_F(GpuEngineTest, ARepeatedPingHasTheSameBytes) {
     }
     expect_same_bytes(echoes_of("gpu", random.scene, settings, random.pose), first);
   }
+}
+
+// Bars as thick as the thickest thin parts: rounding decides which of their triangles are thin. Each engine must leave
+// out those for which there are pieces.
+TEST_F(GpuEngineTest, ThinPartsAreThoseThatCpuFinds) {
+  SceneMaker maker;
+  for (int i = 0; i < 40; ++i) {
+    maker.add("bar" + std::to_string(i), make_box({double{ThinParts::kThickest}, double{ThinParts::kThickest}, 1}),
+              {.position = {7.3 + 0.31 * (i % 8), 0.4 * i - 8.2, 0.17 * (i % 5)}});
+  }
+  const Scene scene = maker.scene();
+  Workers workers(2);
+  const auto thickness = [&](std::string_view name) {
+    const std::unique_ptr<Engine> engine = make_engine(name, workers);
+    engine->set_scene(scene);
+    const SceneTargets targets = find_targets(scene, {}, {}, *engine, workers);
+    std::vector<std::vector<float>> tables;
+    for (const auto& table : targets.thin_parts->triangles->thickness) {
+      tables.push_back(table ? *table : std::vector<float>());
+    }
+    return tables;
+  };
+  const std::vector<std::vector<float>> expected = thickness("cpu");
+  EXPECT_TRUE(std::ranges::any_of(expected, [](const auto& table) { return !table.empty(); }));
+  EXPECT_EQ(thickness("gpu"), expected);
+  EXPECT_EQ(thickness("reference"), expected);
 }
 
 // Gives up at one view, as when a run is interrupted.

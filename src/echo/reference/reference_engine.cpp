@@ -64,7 +64,6 @@ class ReferenceBatch final : public HostBatch {
 }  // namespace
 
 const EngineKind ReferenceEngine::kKind = {.name = "reference",
-                                           .brute_force = true,
                                            .make = [](Workers& workers, std::string_view) -> std::unique_ptr<Engine> {
                                              return std::make_unique<ReferenceEngine>(workers);
                                            }};

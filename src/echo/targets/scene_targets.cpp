@@ -8,12 +8,14 @@ namespace insonify {
 
 SceneTargets find_targets(const Scene& scene, const std::optional<WaterMirror>& water, const WantedTargets& wanted,
                           Engine& engine, Workers& workers) {
-  std::unique_ptr<Engine> faster;
-  if (engine.kind().brute_force) {
-    faster = make_engine("cpu", workers);
-    faster->set_scene(scene);
+  // Which triangles are thin turns on the last digits of distances: all engines have the targets that `cpu` finds.
+  constexpr std::string_view kFinder = "cpu";
+  std::unique_ptr<Engine> finder;
+  if (engine.kind().name != kFinder) {
+    finder = make_engine(kFinder, workers);
+    finder->set_scene(scene);
   }
-  Engine& probe = faster ? *faster : engine;
+  Engine& probe = finder ? *finder : engine;
   ThinParts thin = find_thin_parts(scene, probe, workers);
   LeftOut left_out = thin.triangles ? *thin.triangles : LeftOut{};
   GlintingFaces faces = find_glinting_faces(scene, left_out, workers);
