@@ -132,8 +132,8 @@ def write(name, text):
     (FOLDER / name).write_text(text)
 
 
-def node(*words, scenario="dive.yaml"):
-    return Program(INSONIFY, "bridge", "ros1", scenario, "--bits", "16", "--at-once", *words)
+def node(*words, scenario="dive.yaml", bits=("--bits", "16")):
+    return Program(INSONIFY, "bridge", "ros1", scenario, *bits, "--at-once", *words)
 
 
 class Master:

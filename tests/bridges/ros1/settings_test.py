@@ -87,12 +87,12 @@ class SettingsTest(kit.MasterTest):
         self.assertEqual(images.image_after(time.time()).image.beam_count, 12)
 
     def test_options_are_parameters_of_the_node(self):
-        self.master.set("/dory", {"range": 8, "bits": 8, "world_frame": "odom", "fan_height": 300, "gain": 3.5,
+        self.master.set("/dory", {"range": 8, "bits": 16, "world_frame": "odom", "fan_height": 300, "gain": 3.5,
                                   "publish_tf": False, "set": ["beam_count=16"], "rnage": 3})
         self.addCleanup(self.master.proxy.deleteParam, "/test", "/dory")
-        node = self.start("__name:=dory", "--fan-height", "240", "~fan:=/auv/fan")
+        node = self.start("__name:=dory", "--fan-height", "240", "~fan:=/auv/fan", bits=())
         image = kit.decoded(kit.Listener("/dory/image").next())
-        self.assertEqual((image.image.beam_count, image.image.dtype), (16, 0))
+        self.assertEqual((image.image.beam_count, image.image.dtype), (16, 2))
         self.assertAlmostEqual(image.ranges[-1], edge(8, 90), places=5)
         node.wait_to_say("warning: nothing reads the parameter /dory/rnage")
         self.assertEqual(Client("/dory", timeout=kit.PATIENCE).get_configuration()["gain"], 3.5)
