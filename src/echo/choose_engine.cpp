@@ -43,8 +43,8 @@ std::optional<std::string> against_device(const PingLoad& load) {
                        threads_text(load.threads), load.threads == 1 ? "s" : "", 1e3 * times.host, 1e3 * times.device);
   }
   if (load.pings > 0 && static_cast<double>(load.pings) * (times.host - times.device) < kDeviceStart) {
-    return fmt::format("{} before a graphics card has started",
-                       load.pings == 1 ? "1 ping ends" : fmt::format("{} pings end", load.pings));
+    return fmt::format("{} made before a graphics card would have started",
+                       load.pings == 1 ? "1 ping is" : fmt::format("{} pings are", load.pings));
   }
   return {};
 }

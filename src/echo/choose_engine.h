@@ -13,10 +13,10 @@ namespace insonify {
 
 /// What the time of a scenario's pings depends on.
 struct PingLoad {
-  int beams = 0;            ///< Of the sonar that has most.
-  double samples = 0;       ///< Of the lattices of all sonars.
-  double triangles = 0;     ///< Of the scene.
-  int threads = 1;          ///< Of the host.
+  int beams = 0;            ///< Most beams of one sonar.
+  double samples = 0;       ///< Samples of a ping, all sonars' lattices together.
+  double triangles = 0;     ///< Triangles in the scene.
+  int threads = 1;          ///< Threads on the host.
   std::uint64_t pings = 0;  ///< Pings of each sonar that will be made; 0: unknown, many.
 };
 

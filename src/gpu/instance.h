@@ -60,7 +60,7 @@ class Instance {
 
 /// Whether the system has a graphics card, by the files of its drivers: far faster to find out than by
 /// Instance::only().
-/// @param folder  Of devices.
+/// @param folder  Where the system has the files of its devices.
 [[nodiscard]] bool has_device_files(const std::filesystem::path& folder = "/dev");
 
 /// The device that a name or an index asks for; with "" the best one in hardware.

@@ -29,7 +29,7 @@ class StagedBuffer {
 
   [[nodiscard]] std::uint64_t address() const { return buffer_.address(); }
 
-  /// On the device.
+  /// The copy on the device.
   [[nodiscard]] const Buffer& buffer() const { return buffer_; }
 
  private:

@@ -62,8 +62,8 @@ struct Simulator::State {
   std::vector<SimulatedSonar> sonars;
   std::vector<SendingSonar> senders;  ///< All sonars, where they receive each other's pulses; else empty.
   bool scene_changed = true;          ///< Since the engine has loaded it.
-  RayCounts ray_counts;               ///< Of the last ping.
-  std::vector<StepTime> step_times;   ///< Of the last call of make().
+  RayCounts ray_counts;               ///< Rays of the last ping.
+  std::vector<StepTime> step_times;   ///< Steps on the device in the last call of make().
 
  private:
   class Receiver;

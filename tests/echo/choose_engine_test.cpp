@@ -64,7 +64,7 @@ TEST(ChooseEngineTest, SmallFansStayOnTheHost) {
 TEST(ChooseEngineTest, FewPingsStayOnTheHost) {
   PingLoad load = kMeasured;
   load.pings = 390;
-  EXPECT_EQ(against_device(load).value_or(""), "390 pings end before a graphics card has started");
+  EXPECT_EQ(against_device(load).value_or(""), "390 pings are made before a graphics card would have started");
   load.pings = 400;
   EXPECT_EQ(against_device(load), std::nullopt);
 }
@@ -104,7 +104,7 @@ TEST(ChooseEngineTest, NothingIsSearchedWhereTheLoadDecides) {
   searches = 0;
   PingLoad load = kMeasured;
   load.pings = 1;
-  EXPECT_EQ(choose_engine(load, "", "").text, "engine: cpu, since 1 ping ends before a graphics card has started");
+  EXPECT_EQ(choose_engine(load, "", "").text, "engine: cpu, since 1 ping is made before a graphics card would have started");
   EXPECT_EQ(searches, 0);
 }
 

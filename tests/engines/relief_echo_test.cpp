@@ -171,12 +171,13 @@ class Apart {
   }
   [[nodiscard]] double share(int order) const { return apart_[order - 1] / sum_[order - 1]; }
 
-  // Of all scenes.
+  // In the scene in the middle, and in the worst one.
   [[nodiscard]] double median_share(int order) const {
     std::vector<double> shares = shares_[order - 1];
     std::ranges::sort(shares);
     return shares[shares.size() / 2];
   }
+  [[nodiscard]] double worst_share(int order) const { return std::ranges::max(shares_[order - 1]); }
 
  private:
   std::vector<double> shares_[kPathOrders];
@@ -210,8 +211,8 @@ TEST_P(ReliefEchoTest, AgreesWithTheReference) {
 }
 
 // The same in the calibrated model, with facets and arrays; some scenes let sound through. Its lobes are so steep that
-// one ray, which rounding selects or turns, may hold a large part of the secondary energy: the typical scene is
-// compared.
+// one ray, which rounding turns, may hold some percent of the secondary energy: the typical scene is compared, and the
+// worst one with wide limits.
 TEST_P(ReliefEchoTest, CalibratedEchoesAgreeWithTheReference) {
   Apart apart;
   for (int seed = 0; seed < 16; ++seed) {
@@ -237,7 +238,9 @@ TEST_P(ReliefEchoTest, CalibratedEchoesAgreeWithTheReference) {
   }
   EXPECT_LE(apart.share(1), 1e-4);
   EXPECT_LE(apart.median_share(2), 1e-3);
-  EXPECT_LE(apart.median_share(3), 5e-3);
+  EXPECT_LE(apart.median_share(3), 5e-3);  // As in agreement.h.
+  EXPECT_LE(apart.worst_share(2), 0.1);
+  EXPECT_LE(apart.worst_share(3), 0.1);
 }
 
 // Rays of echo sources and of probes.

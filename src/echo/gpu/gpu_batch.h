@@ -12,17 +12,11 @@
 #include "echo/batch/host_batch.h"
 #include "echo/gpu/gpu_plan.h"
 #include "echo/gpu/gpu_world.h"
+#include "echo/gpu/ping_kernels.h"
 #include "echo/gpu/ping_memory.h"
 #include "echo/rays/choose_sampling.h"
 
 namespace insonify {
-
-/// The kernels of a ping, each a step: the shader of the same name.
-struct PingKernels {
-  explicit PingKernels(gpu::Device& device);
-
-  gpu::Kernel trace_primaries, turn_up, evaluate, select, deposit, count_groups, reflect, mirror, gather;
-};
 
 /// The pings of a batch are computed in a few submissions, in order: the host receives the first while the device
 /// computes the last.
@@ -80,7 +74,7 @@ class GpuBatch final : public HostBatch {
   std::vector<SecondarySampling> sampling_;   // [view]
   std::vector<std::unique_ptr<Part>> parts_;  // In the order of their views; those after the last view are spare.
   bool sees_through_ = false;                 // Whether any view does.
-  std::mutex finishing_;                      // Of parts.
+  std::mutex finishing_;                      // Held while a part is finished.
   std::vector<RayRun> probes_;
 };
 

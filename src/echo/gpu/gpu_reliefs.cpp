@@ -46,7 +46,7 @@ void GpuReliefs::set(gpu::Device& device, const Scene& scene) {
   std::map<const Relief*, Tiles> tiles;
   std::map<const Mesh*, Texture> textures;
   std::vector<shader::ReliefTiles> slots;
-  std::vector<std::pair<std::size_t, std::size_t>> first_slots;  // Of each instance that has any.
+  std::vector<std::pair<std::size_t, std::size_t>> first_slots;  // Instance with a relief, its first slot.
   of_.assign(scene.instances.size(), {});
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const Instance& instance = scene.instances[i];

@@ -104,7 +104,7 @@ void GpuScene::set(const Scene& scene, bool paper, Workers& workers) {
   ++number_;
   left_out_.clear();
   left_out_of_.clear();
-  moved_.clear();
+  placement_.reset();
   origin_ = scene.middle();
   mesh_of_.clear();
   first_surface_.clear();
@@ -178,7 +178,11 @@ void GpuScene::leave_out(const LeftOut* left_out) {
 }
 
 void GpuScene::place(const Placement* placement, GpuPlacement& placed) const {
-  const std::vector<Placement::Moved>& moved = placement == nullptr ? moved_ : placement->moved;
+  if (placement == nullptr && placement_) {
+    placement = &*placement_;
+  }
+  static const std::vector<Placement::Moved> kNone;
+  const std::vector<Placement::Moved>& moved = placement == nullptr ? kNone : placement->moved;
   if (placed.scene == number_ && placed.moved == moved) {
     return;
   }
@@ -189,10 +193,7 @@ void GpuScene::place(const Placement* placement, GpuPlacement& placed) const {
     if (mesh_of_[i] == nullptr) {
       continue;
     }
-    const auto elsewhere = std::ranges::lower_bound(moved, static_cast<int>(i), {}, &Placement::Moved::instance);
-    const Pose& pose = elsewhere != moved.end() && elsewhere->instance == static_cast<int>(i)
-                           ? elsewhere->world_from_mesh
-                           : scene_->instances[i].world_from_mesh;
+    const Pose& pose = placement == nullptr ? scene_->instances[i].world_from_mesh : (*placement)[static_cast<int>(i)];
     meshes[i] = placed_mesh(i, pose);
     boxes.push_back(moved_box(mesh_of_[i]->box, {pose.position - origin_, pose.orientation}));
     instances.push_back(static_cast<std::uint32_t>(i));

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "echo/batch/ping_view.h"
@@ -55,7 +56,7 @@ class GpuScene {
   void leave_out(const LeftOut* left_out);
 
   /// Moves the instances to where a placement has them, until the next call or set().
-  void move(const Placement& placement) { moved_ = placement.moved; }
+  void move(const Placement& placement) { placement_ = placement; }
 
   /// Puts the instances where a placement has them; null: where move() has them. Commands that use it must copy its
   /// buffer first; nothing is done where they are there already.
@@ -77,7 +78,7 @@ class GpuScene {
   std::uint64_t number_ = 0;  // Calls of set() and leave_out().
   Vec3 origin_ = Vec3::Zero();
   std::map<const Mesh*, std::unique_ptr<GpuMesh>> meshes_;
-  std::vector<Placement::Moved> moved_;  // By move().
+  std::optional<Placement> placement_;   // By move().
   std::vector<const GpuMesh*> mesh_of_;  // [instance]; null where it is not present.
   GpuReliefs reliefs_;
   gpu::Buffer surfaces_;                                              // All instances', slot by slot.

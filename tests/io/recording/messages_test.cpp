@@ -8,91 +8,17 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "io/cdr_read.h"
 #include "io/message/message_display.h"
+#include "io/recording/small_messages.h"
 #include "support/message_of.h"
 
 namespace insonify::messages_test {
 namespace {
 
+using namespace small_messages;
 using testing::DoubleNear;
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-constexpr double kQuarter = std::numbers::pi / 4;
-
-// Three beams at 45, 0 and -45 degrees, two bins centred at 10 and 30 m.
-SonarConfig fan() {
-  SonarConfig sonar;
-  sonar.name = "fls-2";
-  sonar.frequency = 455e3;
-  sonar.beam_count = 3;
-  sonar.beam_azimuths = {kQuarter, 0, -kQuarter};
-  sonar.azimuth_aperture = 3 * kQuarter;
-  sonar.elevation_aperture = 0.5;
-  sonar.bin_count = 2;
-  sonar.min_range = 0;
-  sonar.max_range = 40;
-  sonar.assumed_sound_speed = 1480;
-  return sonar;
-}
-
-// Levels without gain, in dB; the gain of 30 dB per decade adds 30 at 10 m and 44.31 at 30 m.
-Ping ping_of(const SonarConfig& sonar, const std::vector<double>& levels_db) {
-  Ping ping;
-  ping.number = 7;
-  ping.time = 12.25;
-  ping.world_from_sonar = {Vec3(1, 2, -3), orientation_from_rpy(0, 0, 2 * kQuarter)};
-  ping.bin_count = sonar.bin_count;
-  ping.beam_count = sonar.beam_count;
-  for (const double level : levels_db) {
-    ping.intensity.push_back(static_cast<float>(std::pow(10, level / 10)));
-  }
-  return ping;
-}
-
-MessageSource source_of(SonarConfig sonar) {
-  return {std::move(sonar), EchoModel::kCalibrated, {}, "pings: 3\n"};
-}
-
-// Range-major, port to starboard: raised, the levels are -70, -40, -130 at 10 m and -90, -99.9, +5 at 30 m.
-constexpr double kGainAt30 = 44.3136376;
-const std::vector<double> kLevels = {-100, -70, -160, -90 - kGainAt30, -99.9 - kGainAt30, 5 - kGainAt30};
-
-CdrRead encoded(SonarMessages& messages, MessageKind kind) {
-  for (std::size_t i = 0; i < messages.channels().size(); ++i) {
-    if (messages.channels()[i].kind == kind) {
-      return CdrRead(messages.encode(i));
-    }
-  }
-  throw Error("no such channel");
-}
-
-TEST(SonarMessagesTest, SonarsOfAScenarioHaveTopicsOfTheirOwn) {
-  Scenario scenario;
-  for (const char* name : {"à", "é"}) {
-    scenario.sonars.push_back(fan());
-    scenario.sonars.back().name = name;
-  }
-  const auto topic = [&](int sonar) {
-    return SonarMessages(message_source(scenario, scenario.sonars[sonar])).channels().front().topic;
-  };
-  EXPECT_EQ(topic(0), "/_/sonar_image");
-  EXPECT_EQ(topic(1), "/__2/sonar_image");
-}
-
-TEST(SonarMessagesTest, NamesTopicsAfterTheSonar) {
-  const SonarMessages messages(source_of(fan()));
-  std::vector<std::string> topics;
-  for (const MessageChannel& channel : messages.channels()) {
-    topics.push_back(channel.topic + " " + channel.type);
-  }
-  EXPECT_THAT(topics,
-              ElementsAre("/fls_2/sonar_image marine_acoustic_msgs/msg/ProjectedSonarImage",
-                          "/fls_2/fan sensor_msgs/msg/Image", "/fls_2/points sensor_msgs/msg/PointCloud2",
-                          "/fls_2/true_points sensor_msgs/msg/PointCloud2", "/fls_2/pose geometry_msgs/msg/PoseStamped",
-                          "/tf tf2_msgs/msg/TFMessage", "/scenario std_msgs/msg/String"));
-}
 
 TEST(SonarMessagesTest, SonarImageIsRangeMajorWithStarboardAtPositiveAzimuth) {
   SonarMessages messages(source_of(fan()), {.bits = 8});
@@ -217,37 +143,6 @@ TEST(SonarMessagesTest, SilenceHasNoPoints) {
   EXPECT_EQ(in.number<std::uint32_t>(), 0);
 }
 
-TEST(SonarMessagesTest, FramesLeadFromTheWorldToTheBeams) {
-  SonarConfig sonar = fan();
-  sonar.elevation_center = -0.3;
-  SonarMessages messages(source_of(sonar));
-  messages.take(ping_of(sonar, kLevels));
-  CdrRead in = encoded(messages, MessageKind::kTransforms);
-  ASSERT_EQ(in.number<std::uint32_t>(), 2);
-  EXPECT_EQ(std::get<2>(in.header()), "world");
-  EXPECT_EQ(in.text(), "fls_2");
-  const std::vector<double> housing = in.doubles(7);
-  EXPECT_THAT(housing, ElementsAre(1, 2, -3, DoubleNear(0, 1e-12), DoubleNear(0, 1e-12),
-                                   DoubleNear(std::sin(kQuarter), 1e-12), DoubleNear(std::cos(kQuarter), 1e-12)));
-  EXPECT_EQ(std::get<2>(in.header()), "fls_2");
-  EXPECT_EQ(in.text(), "fls_2_beams");
-  const std::vector<double> beams = in.doubles(7);
-  const Eigen::Quaterniond turn(beams[6], beams[3], beams[4], beams[5]);
-  EXPECT_TRUE((turn * Vec3::UnitZ()).isApprox(Vec3(std::cos(-0.3), 0, std::sin(-0.3)), 1e-12));
-  EXPECT_TRUE((turn * Vec3::UnitY()).isApprox(Vec3::UnitY(), 1e-12));
-  EXPECT_TRUE(in.at_end());
-}
-
-TEST(SonarMessagesTest, PoseIsThatOfTheHousing) {
-  SonarMessages messages(source_of(fan()), {.world_frame = "map"});
-  messages.take(ping_of(fan(), kLevels));
-  CdrRead in = encoded(messages, MessageKind::kPose);
-  EXPECT_EQ(in.header(), std::tuple(12, 250'000'000U, "map"));
-  EXPECT_THAT(in.doubles(3), ElementsAre(1, 2, -3));
-  (void)in.doubles(4);
-  EXPECT_TRUE(in.at_end());
-}
-
 TEST(SonarMessagesTest, FanIsThePictureAtItsFixedLevels) {
   SonarMessages messages(source_of(fan()), {.low_db = -80, .high_db = -40, .fan_height = 240});
   const Ping ping = ping_of(fan(), kLevels);
@@ -334,92 +229,6 @@ TEST(SonarMessagesTest, DescriptionHasBeamsBinsLevelsAndLabels) {
   EXPECT_EQ(json["levels"]["bits"], 8);
   EXPECT_EQ(json["labels"], nlohmann::json(source.labels));
   EXPECT_FALSE(json.contains("head"));
-}
-
-// Two sonars on a vehicle, the second 2 m ahead of its middle and turned to port.
-TEST(SonarMessagesTest, MountingsAreOneStaticMessage) {
-  SonarConfig other = fan();
-  other.name = "port";
-  other.position = Vec3(2, 0, 0);
-  other.orientation = Vec3(0, 0, 2 * kQuarter);
-  const MessageOptions options{.vehicle_frame = "base_link"};
-  std::vector<SonarMessages> sonars;
-  sonars.emplace_back(source_of(fan()), options);
-  sonars.emplace_back(source_of(other), options);
-  const MessageChannel& channel = sonars[0].channels()[5];
-  EXPECT_EQ(channel.topic, "/tf_static");
-  EXPECT_TRUE(channel.latched);
-  CdrRead in(SonarMessages::mountings(sonars));
-  ASSERT_EQ(in.number<std::uint32_t>(), 4U);
-  std::vector<std::string> frames;
-  std::vector<double> last;
-  for (int i = 0; i < 4; ++i) {
-    const auto [seconds, nanoseconds, parent] = in.header();
-    frames.push_back(parent + " " + in.text());
-    const std::vector<double> numbers = in.doubles(7);
-    last = i == 2 ? numbers : last;
-  }
-  EXPECT_THAT(frames, ElementsAre("base_link fls_2", "fls_2 fls_2_beams", "base_link port", "port port_beams"));
-  EXPECT_THAT(last, testing::Pointwise(testing::DoubleNear(1e-12),
-                                       std::vector<double>{2, 0, 0, 0, 0, std::sin(kQuarter), std::cos(kQuarter)}));
-}
-
-TEST(SonarMessagesTest, ScenarioIsItsText) {
-  SonarMessages messages(source_of(fan()));
-  messages.take(ping_of(fan(), kLevels));
-  CdrRead in = encoded(messages, MessageKind::kScenario);
-  EXPECT_EQ(in.text(), "pings: 3\n");
-  EXPECT_TRUE(in.at_end());
-}
-
-SonarConfig head() {
-  SonarConfig sonar = fan();
-  sonar.type = SonarType::kMechanicallyScanned;
-  sonar.beam_count = 1;
-  sonar.beam_azimuths = {};
-  sonar.azimuth_aperture = 0.05;
-  sonar.head.step = kQuarter;
-  return sonar;
-}
-
-TEST(SonarMessagesTest, BeamOfAScanningHeadTurnsWithIt) {
-  SonarMessages messages(source_of(head()), {.strong_share = 0.5});
-  Ping ping = ping_of(head(), {-60, -200});
-  ping.head_angle = 2 * kQuarter;  // To port.
-  messages.take(ping);
-  CdrRead in = encoded(messages, MessageKind::kSonarImage);
-  (void)in.header();
-  (void)in.number<float>();
-  (void)in.number<float>();
-  EXPECT_EQ(in.numbers<float>().size(), 1);
-  (void)in.numbers<float>();
-  ASSERT_EQ(in.number<std::uint32_t>(), 1);
-  EXPECT_THAT(in.doubles(3), ElementsAre(0, DoubleNear(1, 1e-12), DoubleNear(0, 1e-12)));
-  CdrRead points = encoded(messages, MessageKind::kPoints);
-  (void)points.header();
-  (void)points.number<std::uint32_t>();
-  EXPECT_EQ(points.number<std::uint32_t>(), 1);
-}
-
-TEST(SonarMessagesTest, FanOfAScanningHeadShowsItsLastTurn) {
-  // Eight steps make a turn: after nine pings the first is forgotten, whose place the ninth takes anyway; so the
-  // picture is that of the last eight alone.
-  SonarMessages all(source_of(head()), {.fan_height = 240});
-  SonarMessages last(source_of(head()), {.fan_height = 240});
-  SonarMessages one(source_of(head()), {.fan_height = 240});
-  for (int i = 0; i < 9; ++i) {
-    Ping ping = ping_of(head(), {-70.0 - i, -90});
-    ping.head_angle = i * kQuarter;
-    all.take(ping);
-    if (i > 0) {
-      last.take(ping);
-    }
-    if (i == 8) {
-      one.take(ping);
-    }
-  }
-  EXPECT_TRUE(all.encode(1) == last.encode(1));
-  EXPECT_FALSE(all.encode(1) == one.encode(1));
 }
 
 TEST(SonarMessagesTest, RefusesWhatRosCannotHold) {

@@ -126,7 +126,7 @@ struct LooseHit {
   float distance;  ///< Negative for a miss.
   uint surface;    ///< SurfaceLabel
   vec3 normal;     ///< Shading normal with relief, of any length, on the side that the ray comes from.
-  float texture;   ///< Of the relief: factor on the reflectivity.
+  float texture;   ///< Factor of the relief on the reflectivity.
 };
 
 /// What the kernel trace_rays is passed.

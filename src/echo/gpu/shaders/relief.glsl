@@ -46,7 +46,7 @@ TextureFrame texture_frame_at(PlacedMesh placed, uint triangle, vec3 point) {
                        TriangleTexture(a.x, a.y, along.x, along.y, across.x, across.y), point - corner);
 }
 
-// All of the mesh's frame.
+// Frame, normal and gradient are in the frame of the mesh.
 ReliefPoint relief_by_texture(ReliefTiles tiles, TextureFrame frame, vec3 normal) {
   ReliefPoint relief = kNoRelief;
   const vec2 texture = vec2(frame.u, frame.v);
@@ -89,7 +89,7 @@ ReliefPoint relief_by_position(ReliefTiles tiles, vec3 point, vec3 normal) {
   return relief;
 }
 
-// @param point  Of the hit, in the scene.
+// @param point  The hit, in the scene.
 ReliefPoint relief_at(PlacedScene scene, SceneHit hit, Surface surface, vec3 point) {
   if (hit.instance == kNoInstance || PlacedMeshes(scene.instances).at[hit.instance].reliefs == 0) {
     return kNoRelief;

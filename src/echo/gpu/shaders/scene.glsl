@@ -221,7 +221,7 @@ SceneHit trace(PlacedScene scene, vec3 origin, vec3 direction, float near, float
 struct Surface {
   uint label;     // SurfaceLabel
   uint triangle;
-  uint slot;      // Of the mesh's materials.
+  uint slot;      // Index of the material in the mesh.
   vec3 normal;    // Shading normal, of any length and side.
 };
 
