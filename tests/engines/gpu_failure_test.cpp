@@ -47,9 +47,9 @@ TEST_F(GpuFailureTest, ARealDeviceThatFailsIsReplaced) {
     answer = result;
     submits = 1'000'000;
     lines.clear();
-    Simulator simulator(scenario("auto"), small_world(), 2, movable,
+    Simulator simulator(scenario("auto"), world_with_rod(), 2, movable,
                         [this](Severity, const std::string& text) { lines.push_back(text); });
-    Simulator host(scenario("cpu"), small_world(), 2, movable);
+    Simulator host(scenario("cpu"), world_with_rod(), 2, movable);
     (void)simulator.ping(0, {});
     EXPECT_EQ(simulator.scenario().engine, "card");
     submits = 2;  // In the middle of a ping, which has its samples from one engine and rays of sources from the other.
