@@ -130,6 +130,7 @@ class Starting(unittest.TestCase):
         for number in (signal.SIGINT, signal.SIGTERM):
             with self.subTest(number):
                 server = self.served("--record", "dive.h5")
+                self.assertRegex(server.process.stdout.readline(), r"^engine: [cg]pu, ")
                 page, idle, half = (Socket(server.port) for _ in range(3))
                 self.assertEqual(page.open()[0], 101)
                 self.assertEqual(idle.open()[0], 101)
