@@ -104,7 +104,8 @@ TEST(ChooseEngineTest, NothingIsSearchedWhereTheLoadDecides) {
   searches = 0;
   PingLoad load = kMeasured;
   load.pings = 1;
-  EXPECT_EQ(choose_engine(load, "", "").text, "engine: cpu, since 1 ping is made before a graphics card would have started");
+  EXPECT_EQ(choose_engine(load, "", "").text,
+            "engine: cpu, since 1 ping is made before a graphics card would have started");
   EXPECT_EQ(searches, 0);
 }
 
