@@ -12,6 +12,9 @@ import time
 INSONIFY = os.path.abspath(sys.argv.pop(1))
 faulthandler.dump_traceback_later(110, exit=True)  # A test that hangs says where, before ctest ends it.
 
+# For the end of a program that waits for nothing, on a machine with much else to do [s].
+PROMPT = 10
+
 
 class Emulated:
     """`files` are written into the folder first. What the program prints is read by those who derive from this."""

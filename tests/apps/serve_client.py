@@ -20,6 +20,9 @@ import time
 INSONIFY = os.path.abspath(sys.argv.pop(1))
 VIEWER = "insonify.viewer.v1"
 
+# For the end of a program that waits for nothing, on a machine with much else to do [s].
+PROMPT = 10
+
 SCENARIO = """
 points: [{position: [5, 1, 0], target_strength_db: -20}]
 sonars:

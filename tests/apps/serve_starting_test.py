@@ -18,7 +18,7 @@ try:
 except ImportError:
     h5py = None
 
-from serve_client import INSONIFY, VIEWER, Server, Socket
+from serve_client import INSONIFY, PROMPT, VIEWER, Server, Socket
 
 
 class Starting(unittest.TestCase):
@@ -126,7 +126,7 @@ class Starting(unittest.TestCase):
         self.assertEqual(Socket(server.port).open(headers=["Origin: https://app.example"])[0], 101)
         self.assertEqual(Socket(server.port).open(headers=["Origin: https://app.examples"])[0], 403)
 
-    def test_signals_end_it_within_a_second_with_the_recording_whole(self):
+    def test_signals_end_it_at_once_with_the_recording_whole(self):
         for number in (signal.SIGINT, signal.SIGTERM):
             with self.subTest(number):
                 server = self.served("--record", "dive.h5")
@@ -139,7 +139,7 @@ class Starting(unittest.TestCase):
                     page.ping()
                 status, out, err, seconds = server.end(number)
                 self.assertEqual((status, err), (0, ""))
-                self.assertLess(seconds, 1)
+                self.assertLess(seconds, PROMPT)
                 told = re.fullmatch(r"recorded (\d+) pings, ([\d.]+) ([kM])B: dive-fls.h5, dive-side.h5, with dive.yaml, in (.*)\n"
                                     r"\d+ pings in \d+\.\d s\n", out)
                 self.assertTrue(told, out)
