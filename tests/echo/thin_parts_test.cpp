@@ -73,6 +73,27 @@ TEST(ThinPartsTest, BoxesPlatesAndLargeBodiesAreNotThin) {
   EXPECT_EQ(parts_of(scene_of(make_box({0.3, 0.3, 0.3}))).triangles, nullptr);
 }
 
+// Bars of exactly the limits' size: 0.1 m, and the step of 4 mm that thickness is rounded up to. Where and how they lie
+// decides nothing; nor for bars that are 3 % thicker.
+TEST(ThinPartsTest, WhereABodyLiesDoesNotDecideWhetherItIsThin) {
+  for (int i = 0; i < 60; ++i) {
+    const Pose place{.position = {7.3 + 41.7 * (i % 8), 0.4 * i - 8.2, 0.17 * (i % 5)},
+                     .orientation = orientation_from_rpy(0.37 * i, 0.21 * i, 0.11 * i)};
+    for (const double width : {0.1, 0.004}) {
+      const std::vector<ThinTriangle> thin = triangles_of(scene_of(make_box({width, width, 1}), place));
+      ASSERT_EQ(thin.size(), 8U) << i;
+      for (const ThinTriangle& triangle : thin) {
+        EXPECT_EQ(triangle.along, 2);
+        EXPECT_NEAR(triangle.thickness, width, 2e-3 * width) << i;
+      }
+    }
+    EXPECT_TRUE(triangles_of(scene_of(make_box({0.103, 0.103, 1}), place)).empty()) << i;
+    for (const ThinParts::Piece& piece : parts_of(scene_of(make_box({0.004, 0.004, 0.5}), place)).pieces) {
+      EXPECT_NEAR(piece.thickness, 0.004F, 1e-6F) << i;
+    }
+  }
+}
+
 // 4 pi a^2, also with something 9 km away, which makes coordinates coarser: 0.5 mm.
 TEST(ThinPartsTest, ARoundBodyIsOnePiece) {
   for (const float radius : {0.019F, 0.1F, 0.45F}) {

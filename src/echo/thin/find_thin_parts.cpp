@@ -53,9 +53,10 @@ LeftOut::ByTriangle<float> add_pieces(const Scene& scene, int index, Engine& eng
   const Instance& instance = scene.instances[index];
   std::vector<ThinTriangle> thin = find_thin_triangles(scene, index, engine, workers);
   // Thickness is rounded up to quarter octaves, so that a piece and its triangles pass to the lattice at the same
-  // range.
+  // range; one step of 2 mm, 4 mm and so on is met exactly by ropes, which kTolerance keeps at it.
+  constexpr float kFirst = 1e-3F * (1 + static_cast<float>(ThinParts::kTolerance));
   for (ThinTriangle& triangle : thin) {
-    triangle.thickness = 1e-3F * std::exp2(0.25F * std::ceil(4 * std::log2(triangle.thickness / 1e-3F)));
+    triangle.thickness = 1e-3F * std::exp2(0.25F * std::ceil(4 * std::log2(triangle.thickness / kFirst)));
   }
   const ThinParts round = leave_assemblies(instance, index, thin);
   if (thin.empty()) {

@@ -49,15 +49,12 @@ std::span<const double> ThinProbe::distances(std::vector<Ray>& rays) {
 }
 
 ThinBody::ThinBody(const ThinWall& wall, double depth, std::size_t first_ray)
-    : wall_(&wall),
-      depth_(depth),
-      first_ray_(first_ray),
-      directions_(depth < double{ThinParts::kThickest} ? kAcross : 2) {}
+    : wall_(&wall), depth_(depth), first_ray_(first_ray), directions_(ThinWall::is_thin(depth) ? kAcross : 2) {}
 
 void ThinBody::aim(std::vector<Ray>& rays) const {
   const Vec3 inside = wall_->middle - 0.5 * depth_ * wall_->normal;
-  const Vec3 turned = wall_->around - wall_->normal.dot(wall_->around) * wall_->normal;
-  const Vec3 one = directions_ == 2 ? turned.normalized() : wall_->normal.unitOrthogonal();
+  const Vec3& along_one = directions_ == 2 ? wall_->around : wall_->edge;
+  const Vec3 one = (along_one - wall_->normal.dot(along_one) * wall_->normal).normalized();
   const Vec3 two = wall_->normal.cross(one);
   for (int k = 0; k < directions_; ++k) {
     const double angle = std::numbers::pi * k / directions_;
@@ -141,7 +138,7 @@ void ThicknessGauge::measure(std::span<const ThinWall> walls, std::vector<ThinTr
 
 std::optional<ThinTriangle> ThicknessGauge::thin_at(const ThinBody& body, std::span<const double> sides) const {
   const auto [thickness, along] = body.measure(cross_rays_, sides);
-  if (!(thickness < body.wall().reach() && body.wall().may_be_thin(thickness))) {
+  if (!(thickness <= body.wall().reach() && body.wall().may_be_thin(thickness))) {
     return {};
   }
   int coordinate = 0;

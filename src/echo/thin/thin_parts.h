@@ -15,8 +15,13 @@ namespace insonify {
 /// surface area by direction of the normal, from which ThinEchoes computes its echo in closed form, however few samples
 /// of the lattice hit it.
 struct ThinParts {
-  static constexpr float kThickest = 0.1F;       ///< Parts are thinner than this in two directions [m].
+  static constexpr float kThickest = 0.1F;       ///< Parts are at most this thick in two directions [m].
   static constexpr float kThickestRound = 1.0F;  ///< The same of parts whose surface is round [m].
+
+  /// Share by which a size that rays measure may exceed a limit: they do so in world coordinates, which are rounded,
+  /// and what people build is often exactly as thick as a limit.
+  static constexpr double kTolerance = 0.01;
+
   static constexpr float kTurnStep = 0.2618F;  ///< Spacing of the normals of patches around the axis: 15 degrees [rad].
   static constexpr std::size_t kMostThickPieces =
       64;  ///< Most pieces of an instance that are thicker than kThickest and of no compact body. The round parts of an
@@ -65,9 +70,9 @@ struct ThinTriangle {
 
 /// Compact bodies of an instance, and what is thin of the rest, measured by rays: from the middle of each triangle
 /// along its normal to the opposite side, and from the midpoint of that ray the smallest extent across it. The larger
-/// of both is the second smallest extent of the body. Where it is kThickest or more, the surface must be round: its
-/// normal turns by a radian or more over the distance to the opposite side (2 on a ball). Surfaces with relief are left
-/// out.
+/// of both is the second smallest extent of the body. Where it is more than kThickest, the surface must be round:
+/// its normal turns by a radian or more over the distance to the opposite side (2 on a ball). Surfaces with relief are
+/// left out.
 [[nodiscard]] std::vector<ThinTriangle> find_thin_triangles(const Scene& scene, int instance, Engine& engine,
                                                             Workers& workers);
 

@@ -19,27 +19,37 @@ std::optional<ThinWall> ThinWall::of(const Instance& instance, std::uint32_t t) 
   if (const std::size_t slot = mesh.slot_of(t); slot < instance.reliefs.size() && instance.reliefs[slot] != nullptr) {
     return {};
   }
-  std::array<Vec3, 3> corners;
+  std::array<Vec3, 3> corners;  // In the mesh frame: what is decided from them does not depend on the place.
   for (int k = 0; k < 3; ++k) {
-    corners[k] = instance.world_from_mesh * mesh.vertices[mesh.triangles[t][k]].cast<double>().eval();
+    corners[k] = mesh.vertices[mesh.triangles[t][k]].cast<double>();
   }
   const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
   const double length = normal.norm();
-  double longest = 0, curvature = 0;
-  Vec3 around = Vec3::Zero();
+  double longest = 0, curvature = 0, shortest = HUGE_VAL;
+  Vec3 around = Vec3::Zero(), edge = Vec3::Zero();
   for (int k = 0; k < 3; ++k) {
     const int next = (k + 1) % 3;
-    const double edge = (corners[next] - corners[k]).norm();
+    const Vec3 side = corners[next] - corners[k];
+    const double side_length = side.norm();
     const Vec3f change = mesh.normals[mesh.triangles[t][next]] - mesh.normals[mesh.triangles[t][k]];
     const float turn = change.norm();
-    longest = std::max(longest, edge);
-    if (turn > kEven && double{turn} > curvature * edge) {
-      curvature = double{turn} / edge;
+    longest = std::max(longest, side_length);
+    if (side_length < shortest) {
+      shortest = side_length;
+      edge = side;
+    }
+    if (turn > kEven && double{turn} > curvature * side_length) {
+      curvature = double{turn} / side_length;
       around = change.cast<double>();
     }
   }
-  const ThinWall wall{t, (corners[0] + corners[1] + corners[2]) / 3, normal / length, curvature,
-                      instance.world_from_mesh.orientation * around};
+  const auto& turn_to_world = instance.world_from_mesh.orientation;
+  const ThinWall wall{t,
+                      instance.world_from_mesh * ((corners[0] + corners[1] + corners[2]) / 3).eval(),
+                      turn_to_world * (normal / length),
+                      curvature,
+                      turn_to_world * around,
+                      turn_to_world * edge};
   return length > 0 && length < kMostAltitude * wall.reach() * longest ? std::optional(wall) : std::nullopt;
 }
 

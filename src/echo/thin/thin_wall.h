@@ -20,6 +20,7 @@ struct ThinWall {
   Vec3 middle, normal;  ///< The normal points outwards, by the winding.
   double curvature;     ///< Change of the vertices' normals per length, along the edge where it is greatest [rad/m].
   Vec3 around;          ///< That change: a direction around the body, of any length.
+  Vec3 edge;            ///< Its shortest edge, of any length.
 
   /// The triangle, if it has no relief and is narrow enough to be a side of a thin part.
   [[nodiscard]] static std::optional<ThinWall> of(const Instance& instance, std::uint32_t triangle);
@@ -28,17 +29,20 @@ struct ThinWall {
   [[nodiscard]] bool is_round() const { return curvature * double{ThinParts::kThickestRound} >= kRound; }
 
   /// Greatest thickness of a part with this side [m].
-  [[nodiscard]] double reach() const { return double{is_round() ? ThinParts::kThickestRound : ThinParts::kThickest}; }
+  [[nodiscard]] double reach() const {
+    return (1 + ThinParts::kTolerance) * double{is_round() ? ThinParts::kThickestRound : ThinParts::kThickest};
+  }
 
   /// Distance from the surface at which rays into the body start [m]: more than coordinates are rounded by.
   [[nodiscard]] double clearance() const {
     return is_round() ? std::max(kLeastClearance, 0.02 / curvature) : kLeastClearance;
   }
 
-  /// Whether a body of that depth [m] is thin, or round.
-  [[nodiscard]] bool may_be_thin(double depth) const {
-    return depth < double{ThinParts::kThickest} || curvature * depth >= kRound;
+  /// Whether a body of that depth [m] is thin even where it is not round.
+  [[nodiscard]] static bool is_thin(double depth) {
+    return depth <= (1 + ThinParts::kTolerance) * double{ThinParts::kThickest};
   }
+  [[nodiscard]] bool may_be_thin(double depth) const { return is_thin(depth) || curvature * depth >= kRound; }
 };
 
 }  // namespace insonify
