@@ -14,6 +14,11 @@ the darkest eight beams, relative to the median of all groups of eight beams. Th
 perfect array, and before one whose elements differ by 1 dB and 10 degrees, as the preset's transducer does across elevations
 (docs/concepts/array-and-pulse.md): this one leaves a shadow as deep as the recorded one. Crosstalk between channels would be
 the same in all beams of a shadow, so the recording is searched for it: beams 16 apart do not correlate.
+
+Between the first echo of the bottom, 0.5 m straight below, and the main lobe from 0.7 m on, side lobes draw arcs with dark
+bands between them. The darkest of these, in profiles of eight beams and four bins, is compared with that over a flat floor
+seen from as high: nulls of the preset's transducer must not be darker than the recorded bands. Without errors of its parts
+they would be 15 dB darker.
 """
 
 import math
@@ -78,6 +83,10 @@ STONE_WORLD = """
   </visual></link></model>
 </world></sdf>
 """
+NULLS = (SCENARIO.replace("orientation_deg: [0, 16, 0]", "orientation_deg: [0, 34, 0]")
+         .replace("azimuth_pattern: hann", "azimuth_pattern: hann, noise: false"))
+WATER, SEARCHED = (0.2, 0.4), (0.45, 1.3)  # [m] Where there is no bottom yet, and from there to beyond the main lobe.
+LOBE, BAND = 30, 4  # Bins of the mean level of the main lobe, and of a dark band.
 FLOOR = "v -1 -4 0\nv 4 -4 0\nv 4 4 0\nv -1 4 0\nusemtl sand\nf 1 2 3 4\n"
 
 
@@ -143,6 +152,30 @@ def correlation_in_shadow(intensity, ranges):
     return np.mean([np.corrcoef(fluctuation[i], fluctuation[i + APART])[0, 1] for i in range(len(dark) - APART)])
 
 
+def darkest_bands(intensity, ranges):
+    """By GROUP beams, the least level between the first echo of the bottom and the main lobe, re the latter [dB]."""
+    levels = []
+    searched = (ranges > SEARCHED[0]) & (ranges < SEARCHED[1])
+    for group in intensity[GROUP:-GROUP].reshape(-1, GROUP, len(ranges)).mean(axis=1):
+        water = group[(ranges > WATER[0]) & (ranges < WATER[1])].mean()
+        profile = np.convolve(group, np.ones(BAND) / BAND, "same")[searched]
+        smooth = np.convolve(profile, np.ones(LOBE) / LOBE, "same")
+        main = smooth.max()
+        first = int(np.argmax(profile > max(8 * water, main * 10**-3.6)))
+        rise = int(smooth.argmax())
+        while rise > 0 and profile[rise] > main / 20:
+            rise -= 1
+        if rise > first + BAND:
+            levels.append(10 * np.log10(profile[first : rise + 1].min() / main))
+    return np.array(levels)
+
+
+def simulated_bands(insonify, folder):
+    run(insonify, folder, {"scenario.yaml": NULLS, "floor.obj": FLOOR})
+    with h5py.File(next((folder / "out").glob("*.h5"))) as file:
+        return np.median(darkest_bands(file["intensity"][0].T, file["range"][:]))
+
+
 def simulated_shadow(insonify, folder, receiver):
     run(insonify, folder, {"scenario.yaml": STONE.replace("RECEIVER", receiver), "stone.sdf": STONE_WORLD})
     with h5py.File(next((folder / "out").glob("*.h5"))) as file:
@@ -192,6 +225,10 @@ def main():
     figures["correlation in the recorded shadow"] = (np.mean(alike), 0.15)  # Of 70 bins: 0.12 by chance.
     figures["depth with a perfect array, above the recorded one"] = (max(perfect - np.mean(depths), 0), 0)
     figures["depth with uneven elements, off the recorded one"] = (abs(uneven - np.mean(depths)), 2)  # Few speckles.
+    bands = np.median(darkest_bands(np.mean(pings, axis=0), data["range_m"]))
+    nulls = simulated_bands(sys.argv[1], pathlib.Path(sys.argv[2]) / "nulls")
+    print(f"darkest band before the main lobe: recorded {bands:.1f} dB, simulated {nulls:.1f} dB")
+    figures["darkest band, below the recorded one"] = (max(bands - nulls, 0), 0)
     for name, (value, most) in figures.items():
         print(f"simulated: {name} {value:.4f}, at most {most}")
     sys.exit(any(value > most for value, most in figures.values()))
