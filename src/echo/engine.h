@@ -79,6 +79,9 @@ class Engine {
   /// An empty batch on this engine, which must outlive it.
   [[nodiscard]] virtual std::unique_ptr<EchoBatch> make_batch() = 0;
 
+  /// Whether it receives pings itself, see PingView::reception.
+  [[nodiscard]] virtual bool receives() const { return false; }
+
   /// Traces the rays of all runs. Callers pass many rays in one call, since a call may be as expensive as a transfer to
   /// another device.
   virtual void trace(std::span<const RayRun> runs) = 0;

@@ -24,6 +24,7 @@ class SpareEngine final : public Engine {
   void leave_out(std::shared_ptr<const LeftOut> left_out) override;
   void place(const Placement& placement) override;
   [[nodiscard]] std::unique_ptr<EchoBatch> make_batch() override;
+  [[nodiscard]] bool receives() const override { return engine_->receives(); }
   using Engine::trace;
   void trace(std::span<const RayRun> runs) override;
   [[nodiscard]] EngineMemory memory() const override { return engine_->memory(); }

@@ -23,7 +23,7 @@ void Device::create() {
                                          .queueCount = 1,
                                          .pQueuePriorities = &priority};
   Features features;
-  ask_for_features(features);
+  ask_for_features(features, info_.doubles);
   const VkDeviceCreateInfo wanted = {.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
                                      .pNext = &features.all,
                                      .queueCreateInfoCount = 1,

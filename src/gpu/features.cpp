@@ -22,8 +22,15 @@ void for_each_feature(Features& features, const Visit& visit) {
 
 }  // namespace
 
-void ask_for_features(Features& features) {
+void ask_for_features(Features& features, bool doubles) {
   for_each_feature(features, [](VkBool32& feature, const char*) { feature = VK_TRUE; });
+  features.all.features.shaderFloat64 = doubles ? VK_TRUE : VK_FALSE;
+}
+
+bool has_doubles(const Vulkan& vulkan, VkPhysicalDevice device) {
+  Features features;
+  vulkan.GetPhysicalDeviceFeatures2(device, &features.all);
+  return features.all.features.shaderFloat64 == VK_TRUE;
 }
 
 int computing_family(const Vulkan& vulkan, VkPhysicalDevice device) {

@@ -21,7 +21,10 @@ struct Features {
 };
 
 /// Turns on what the engine uses.
-void ask_for_features(Features& features);
+/// @param doubles  Whether double precision, which is not on all devices.
+void ask_for_features(Features& features, bool doubles);
+
+[[nodiscard]] bool has_doubles(const Vulkan& vulkan, VkPhysicalDevice device);
 
 /// Names of what a device lacks, "" where it lacks nothing.
 [[nodiscard]] std::string missing_features(const Vulkan& vulkan, VkPhysicalDevice device, std::uint32_t version);

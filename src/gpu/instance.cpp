@@ -46,6 +46,7 @@ DeviceInfo describe(const Vulkan& vulkan, VkPhysicalDevice device) {
           .hardware = type != VK_PHYSICAL_DEVICE_TYPE_CPU,
           .discrete = type == VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU,
           .memory = largest_heap(vulkan, device),
+          .doubles = has_doubles(vulkan, device),
           .missing = missing_features(vulkan, device, properties.properties.apiVersion),
           .handle = device};
 }

@@ -19,6 +19,7 @@ struct DeviceInfo {
   bool hardware = false;     ///< False for a driver that computes on the processor, such as Mesa's lavapipe.
   bool discrete = false;     ///< Whether it has memory of its own.
   std::size_t memory = 0;    ///< Size of its largest heap [bytes].
+  bool doubles = false;      ///< Whether kernels can compute in double precision.
   std::string missing = {};  ///< What it lacks for the engine; "" where it has everything.
   VkPhysicalDevice handle = nullptr;
 };

@@ -60,19 +60,21 @@ float CalibratedReceiver::kept(float intensity, int beam, int bin) const {
 }
 
 // Adds noise to a tile of beams and bins, detects it and writes intensity, complex field and labels into the ping.
-void CalibratedReceiver::detect_tile(const EchoGrid& grid, const TilePlace& place, Ping& ping) const {
+void CalibratedReceiver::detect_tile(const EchoGrid& grid, const FormedBeams* formed, const TilePlace& place,
+                                     Ping& ping) const {
   const bool labelled = grid.ground_truth() == GroundTruth::kLabels;
   OutputTile tile = {};
   constexpr float kSilence[kTileBins] = {};
   const Signals& beams = beam_signals();
+  const bool adds_noise = noise_ && !has_noise(formed);
   const std::span<const float> channel_gains = channels_ ? channels_->gains() : std::span<const float>();
   for (int b = 0; b < place.beam_count; ++b) {
     const int beam = place.first_beam + b;
     const float deviation = noise_deviation_[beam];
     const float channel = channel_gains.empty() ? 1.0F : channel_gains[beam];
     const std::size_t start = static_cast<std::size_t>(beam) * bins_ + place.first_bin;
-    const float* const in_phase = noise_ ? noise_->in_phase(beam) + place.first_bin : kSilence;
-    const float* const quadrature = noise_ ? noise_->quadrature(beam) + place.first_bin : kSilence;
+    const float* const in_phase = adds_noise ? noise_->in_phase(beam) + place.first_bin : kSilence;
+    const float* const quadrature = adds_noise ? noise_->quadrature(beam) + place.first_bin : kSilence;
     float real[kTileBins], imaginary[kTileBins], look[kTileBins];
     if (beams.field.empty()) {
       detect_energy(place.bin_count, &beams.energy[start], deviation, in_phase, quadrature, real, imaginary, look);
@@ -90,7 +92,9 @@ void CalibratedReceiver::detect_tile(const EchoGrid& grid, const TilePlace& plac
       const float part = std::sqrt(tile.intensity[b][i] / std::max(look[i], kTiny));
       ping.field[ping.index(place.first_bin + i, beam)] = {part * real[i], part * imaginary[i]};
     }
-    if (labelled) {
+    if (labelled && formed != nullptr) {
+      copy_labels(*formed, start, place, b, tile);
+    } else if (labelled) {
       // Labels come from the cells in the beam's own slice of azimuth, not from those in its side lobes.
       take_labels(grid, first_cells_[beam], cells_per_beam_, place, b, tile);
     }
@@ -100,11 +104,11 @@ void CalibratedReceiver::detect_tile(const EchoGrid& grid, const TilePlace& plac
 
 // Adds noise, detects and applies gain by tiles of beams x bins, each transposed into the ping's bins x beams; then
 // counts.
-void CalibratedReceiver::detect(const EchoGrid& grid, Workers& workers, Ping& ping) {
+void CalibratedReceiver::detect(const EchoGrid& grid, const FormedBeams* formed, Workers& workers, Ping& ping) {
   const int tiles_along = (bins_ + kTileBins - 1) / kTileBins, tiles_across = (beams_ + kTileBeams - 1) / kTileBeams;
   workers.for_each(tiles_across * tiles_along, [&](int tile, int) {
     const int beam = tile / tiles_along * kTileBeams, bin = tile % tiles_along * kTileBins;
-    detect_tile(grid, {beam, std::min(kTileBeams, beams_ - beam), bin, std::min(kTileBins, bins_ - bin)}, ping);
+    detect_tile(grid, formed, {beam, std::min(kTileBeams, beams_ - beam), bin, std::min(kTileBins, bins_ - bin)}, ping);
   });
   if (digitizer_) {
     const auto beams = static_cast<std::size_t>(beams_);

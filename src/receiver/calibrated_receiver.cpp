@@ -210,7 +210,7 @@ void CalibratedReceiver::draw_noise(const Ping& ping, const Pose& world_from_son
                                     std::span<const std::optional<Vec3>> thrusters, Workers& workers) {
   noise_->draw(ping.number, workers);
   if (surface_noise_) {
-    receive_surface_noise(world_from_sonar);
+    set_noise_levels(world_from_sonar, noise_deviation_);
   }
   if (thrusters_) {
     thrusters_->add_to(*noise_, thrusters, ping.number, ping.time, noise_deviation_, workers);
@@ -218,11 +218,15 @@ void CalibratedReceiver::draw_noise(const Ping& ping, const Pose& world_from_son
 }
 
 // Sets each beam's noise level; the surface's noise depends on the beam's direction.
-void CalibratedReceiver::receive_surface_noise(const Pose& world_from_sonar) {
+void CalibratedReceiver::set_noise_levels(const Pose& world_from_sonar, std::vector<float>& deviations) {
+  deviations.assign(static_cast<std::size_t>(beams_), std::sqrt(0.5F * isotropic_noise_));
+  if (!surface_noise_) {
+    return;
+  }
   surface_noise_->receive(world_from_sonar.orientation, surface_shares_);
-  for (std::size_t beam = 0; beam < noise_deviation_.size(); ++beam) {
+  for (std::size_t beam = 0; beam < deviations.size(); ++beam) {
     const double intensity = double{isotropic_noise_} + surface_noise_level_ * surface_shares_[beam];
-    noise_deviation_[beam] = static_cast<float>(std::sqrt(0.5 * intensity));
+    deviations[beam] = static_cast<float>(std::sqrt(0.5 * intensity));
   }
 }
 
@@ -257,9 +261,10 @@ void CalibratedReceiver::write_truth(const EchoGrid& grid, Workers& workers, Pin
   }
 }
 
-void CalibratedReceiver::receive(const EchoGrid& still, std::span<const DisplacedInstance> displaced,
-                                 const Pose& world_from_sonar, const PingMotion& motion,
-                                 std::span<const std::optional<Vec3>> thrusters, Workers& workers, Ping& ping) {
+void CalibratedReceiver::receive(const EchoGrid& still, const FormedBeams* formed,
+                                 std::span<const DisplacedInstance> displaced, const Pose& world_from_sonar,
+                                 const PingMotion& motion, std::span<const std::optional<Vec3>> thrusters,
+                                 Workers& workers, Ping& ping) {
   // Motion: echoes in the cells in which the moving sonar receives them.
   if (shift_) {
     move(still, motion, workers);
@@ -270,13 +275,17 @@ void CalibratedReceiver::receive(const EchoGrid& still, std::span<const Displace
   ping.counts.resize(digitizer_ ? ping.intensity.size() : 0);
   rows_.resize(std::max(rows_.size(), static_cast<std::size_t>(workers.count())));
 
-  // Sum, speckle and pulse, cell by cell.
-  views_.set(world_from_sonar, displaced);
-  workers.for_each(cells_, [&](int cell, int worker) { receive_cell(grid, cell, rows_[worker]); });
+  if (formed != nullptr) {
+    std::ranges::copy(formed->field, beam_signals().field.begin());
+  } else {
+    // Sum, speckle and pulse, cell by cell.
+    views_.set(world_from_sonar, displaced);
+    workers.for_each(cells_, [&](int cell, int worker) { receive_cell(grid, cell, rows_[worker]); });
 
-  // Array pattern: beams from cells.
-  if (bearing_) {
-    form_beams(grid, workers);
+    // Array pattern: beams from cells.
+    if (bearing_) {
+      form_beams(grid, workers);
+    }
   }
 
   // Echoes that are not in cells, then the receiver's channels.
@@ -286,7 +295,7 @@ void CalibratedReceiver::receive(const EchoGrid& still, std::span<const Displace
   }
 
   // Noise and the transmit leak.
-  if (noise_) {
+  if (noise_ && !has_noise(formed)) {
     draw_noise(ping, world_from_sonar, thrusters, workers);
   }
   if (leak_) {
@@ -295,7 +304,7 @@ void CalibratedReceiver::receive(const EchoGrid& still, std::span<const Displace
   }
 
   // Detection, gain and counts; ground truth.
-  detect(grid, workers, ping);
+  detect(grid, formed, workers, ping);
   write_truth(grid, workers, ping);
 }
 

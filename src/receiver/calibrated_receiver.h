@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "echo/batch/reception.h"
 #include "echo/grid/echo_grid.h"
 #include "insonify/ping.h"
 #include "insonify/receiver_config.h"
@@ -85,13 +86,22 @@ class CalibratedReceiver {
   };
   explicit CalibratedReceiver(const Settings& settings);
 
+  /// The steps up to the beams, with the noise where no later step comes before it, as tables; null where one of them
+  /// is only here: motion, clutter, few scatterers, looks, no speckle.
+  [[nodiscard]] const std::shared_ptr<const FlatReceiver>& flat() const { return flat_; }
+
+  /// Sets what flat() needs for a ping.
+  void aim(std::span<const DisplacedInstance> displaced, const Pose& world_from_sonar, Reception& reception);
+
   /// Writes the tables of `ping`, whose number must be set; allocates only when they need more memory than before.
+  /// @param formed            What the engine has made of flat(); null: the grid's cells are received here.
   /// @param displaced         Instances that have moved from their pose in the scene; their speckle moves with them.
   /// @param world_from_sonar  Pose of the transducer at transmission.
   /// @param motion            Its motion after transmission; ignored unless Settings::moves.
   /// @param thrusters         [thruster] Position in the sonar frame [m]; none if the straight path is blocked.
-  void receive(const EchoGrid& grid, std::span<const DisplacedInstance> displaced, const Pose& world_from_sonar,
-               const PingMotion& motion, std::span<const std::optional<Vec3>> thrusters, Workers& workers, Ping& ping);
+  void receive(const EchoGrid& grid, const FormedBeams* formed, std::span<const DisplacedInstance> displaced,
+               const Pose& world_from_sonar, const PingMotion& motion, std::span<const std::optional<Vec3>> thrusters,
+               Workers& workers, Ping& ping);
 
  private:
   // Buffers of one worker thread for one cell's row of bins, before the pulse is applied.
@@ -105,6 +115,8 @@ class CalibratedReceiver {
   void set_up_array(SetUp& parts);
   void set_up_noise(const SetUp& parts);
   void set_up_speckle(const SetUp& parts);
+  [[nodiscard]] bool is_flat() const;
+  [[nodiscard]] FlatReceiver flattened() const;
 
   void move(const EchoGrid& grid, const PingMotion& motion, Workers& workers);
   // Interval of bins of a cell that can be non-zero, before and after the convolution with the pulse.
@@ -115,7 +127,7 @@ class CalibratedReceiver {
   void receive_energy(const EchoGrid& grid, int cell, Row& row);
   void receive_field(const EchoGrid& grid, int cell, Row& row);
   void receive_mean(const EchoGrid& grid, int cell, Row& row);
-  void receive_surface_noise(const Pose& world_from_sonar);
+  void set_noise_levels(const Pose& world_from_sonar, std::vector<float>& deviations);
   [[nodiscard]] float kept(float intensity, int beam, int bin) const;
   void form_beams(const EchoGrid& grid, Workers& workers);
   void add_discrete_echoes(const EchoGrid& grid);
@@ -123,12 +135,13 @@ class CalibratedReceiver {
   void draw_noise(const Ping& ping, const Pose& world_from_sonar, std::span<const std::optional<Vec3>> thrusters,
                   Workers& workers);
   void receive_leak();
-  void detect(const EchoGrid& grid, Workers& workers, Ping& ping);
+  void detect(const EchoGrid& grid, const FormedBeams* formed, Workers& workers, Ping& ping);
   void write_truth(const EchoGrid& grid, Workers& workers, Ping& ping);
   [[nodiscard]] DiscreteEchoes discrete() const;
+  [[nodiscard]] bool has_noise(const FormedBeams* formed) const { return formed != nullptr && flat_->noise_rows > 0; }
   [[nodiscard]] Signals& beam_signals() { return bearing_ ? of_beams_ : of_cells_; }
   [[nodiscard]] const Signals& beam_signals() const { return bearing_ ? of_beams_ : of_cells_; }
-  void detect_tile(const EchoGrid& grid, const TilePlace& place, Ping& ping) const;
+  void detect_tile(const EchoGrid& grid, const FormedBeams* formed, const TilePlace& place, Ping& ping) const;
 
   int beams_, bins_, cells_, cells_per_beam_;
   std::vector<int> first_cells_;   // [beam]
@@ -162,6 +175,7 @@ class CalibratedReceiver {
   std::optional<ThrusterNoise> thrusters_;  // With noise_.
   std::optional<ReceiverChannels> channels_;
   std::optional<TransmitLeak> leak_;
+  std::shared_ptr<const FlatReceiver> flat_;
 
   std::vector<Row> rows_;                                          // [worker].
   Signals of_cells_{0, false, false}, of_beams_{0, false, false};  // The latter with bearing_; else beams are cells.

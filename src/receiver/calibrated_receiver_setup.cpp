@@ -128,6 +128,9 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
   if (bearing_) {
     of_beams_ = Signals(static_cast<std::size_t>(beams_) * bins_, receiver.speckle, keeps_looks_);
   }
+  if (is_flat()) {
+    flat_ = settings.like != nullptr ? settings.like->flat_ : std::make_shared<const FlatReceiver>(flattened());
+  }
 }
 
 void CalibratedReceiver::set_up_array(SetUp& parts) {

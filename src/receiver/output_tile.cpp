@@ -66,6 +66,13 @@ void size_tables(Ping& ping, int beams, int bins, GroundTruth ground_truth) {
   ping.direct_intensity.resize(full);
 }
 
+void copy_labels(const FormedBeams& formed, std::size_t start, const TilePlace& place, int beam_of_tile,
+                 OutputTile& tile) {
+  tile.has_labels = true;
+  std::copy_n(&formed.surface[start], place.bin_count, tile.surface[beam_of_tile]);
+  std::copy_n(&formed.elevation[start], place.bin_count, tile.elevation[beam_of_tile]);
+}
+
 void take_labels(const EchoGrid& grid, int first_row, int rows, const TilePlace& place, int beam_of_tile,
                  OutputTile& tile) {
   SurfaceLabel* surface = tile.surface[beam_of_tile];

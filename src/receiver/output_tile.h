@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "echo/batch/reception.h"
 #include "echo/grid/echo_grid.h"
 #include "insonify/ping.h"
 #include "insonify/sonar_config.h"
@@ -40,6 +41,11 @@ void for_each_tile(int first_beam, int last_beam, int bins, Visit&& visit) {
 /// Sizes the tables of a ping for beams x bins; those that `ground_truth` does not ask for become empty. Allocates only
 /// when they need more memory than before.
 void size_tables(Ping& ping, int beams, int bins, GroundTruth ground_truth);
+
+/// Sets the labels of one beam of the tile to those that an engine has found.
+/// @param start  The tile's first bin of the beam in `formed`.
+void copy_labels(const FormedBeams& formed, std::size_t start, const TilePlace& place, int beam_of_tile,
+                 OutputTile& tile);
 
 /// Sets the labels of one beam of the tile: in each bin, the label with most energy among `rows` rows of the grid (the
 /// cells of the beam's own slice).

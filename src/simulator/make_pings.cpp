@@ -55,7 +55,8 @@ class Simulator::State::Receiver final : public EchoReceiver {
   Receiver(State& state, std::span<const PingOrder> orders, std::size_t first)
       : state_(state), orders_(orders), first_(first) {}
 
-  void receive(std::size_t view, const EchoGrid& grid, Workers& workers, int worker) override {
+  void receive(std::size_t view, const EchoGrid& grid, const FormedBeams* formed, Workers& workers,
+               int worker) override {
     const PingOrder& order = orders_[view];
     const SimulatedSonar& sonar = state_.sonars[order.sonar];
     const PingView& from = state_.views_[first_ + view];
@@ -74,7 +75,7 @@ class Simulator::State::Receiver final : public EchoReceiver {
     }
     const PingMotion motion =
         scenario.motion_in_ping ? sonar.motion_while_listening(*order.request, from.vehicle_from_sonar) : PingMotion{};
-    sonar.receivers[worker]->receive(grid, state_.displaced_[first_ + view], from.world_from_sonar, motion,
+    sonar.receivers[worker]->receive(grid, formed, state_.displaced_[first_ + view], from.world_from_sonar, motion,
                                      thrusters_in(*state_.sources_[view]), workers, ping);
   }
 
@@ -89,6 +90,7 @@ void Simulator::State::set_view(std::size_t i, int index, const PingRequest& req
   if (i >= views_.size()) {
     views_.emplace_back();
     placements_.push_back(std::make_unique<Placement>());
+    receptions_.push_back(std::make_unique<Reception>());
     displaced_.emplace_back();
   }
   try {
@@ -175,6 +177,32 @@ bool Simulator::State::try_batch(std::span<const PingOrder> orders, std::span<co
   }
 }
 
+// Sets what engines need that receive pings themselves.
+void Simulator::State::aim_receivers(std::span<const PingOrder> orders, std::size_t first) {
+  if (!engine->receives()) {
+    return;
+  }
+  const bool apart = orders.size() >= static_cast<std::size_t>(workers.count());
+  const auto aim = [&](std::size_t view, int worker) {
+    SimulatedSonar& of = sonars[orders[view].sonar];
+    PingView& from = views_[first + view];
+    CalibratedReceiver* const receiver =
+        of.receivers.empty() ? nullptr : of.receivers[static_cast<std::size_t>(worker)].get();
+    if (receiver != nullptr && receiver->flat() != nullptr && from.layers.ground_truth != GroundTruth::kFull) {
+      receiver->aim(displaced_[first + view], from.world_from_sonar, *receptions_[first + view]);
+      from.reception = receptions_[first + view].get();
+    }
+  };
+  if (apart) {
+    workers.for_each(static_cast<int>(orders.size()),
+                     [&](int view, int worker) { aim(static_cast<std::size_t>(view), worker); });
+    return;
+  }
+  for (std::size_t view = 0; view < orders.size(); ++view) {
+    aim(view, 0);
+  }
+}
+
 void Simulator::State::make_batch(std::span<const PingOrder> orders, std::span<const PingView> views,
                                   std::size_t first) {
   const auto threads = static_cast<std::size_t>(workers.count());
@@ -188,6 +216,7 @@ void Simulator::State::make_batch(std::span<const PingOrder> orders, std::span<c
       of.add_receivers(scenario, materials_at(of.config.frequency, scenario, scene), threads);
     }
   }
+  aim_receivers(orders, first);
   Receiver receiver(*this, orders, first);
   runner->run(views, sources_, receiver);
   ray_counts = runner->ray_counts(views.size() - 1);

@@ -81,6 +81,8 @@ struct Simulator::State {
   // @param first  The first of the views in `views_`.
   void make_batch(std::span<const PingOrder> orders, std::span<const PingView> views, std::size_t first);
 
+  void aim_receivers(std::span<const PingOrder> orders, std::size_t first);
+
   // False if the device of `spare` has failed, with another engine in its place.
   bool try_batch(std::span<const PingOrder> orders, std::span<const PingView> views, std::size_t first);
   [[nodiscard]] SourceSet* sources_of(SimulatedSonar& sonar, std::size_t slot);
@@ -90,6 +92,7 @@ struct Simulator::State {
   std::vector<std::unique_ptr<Placement>> placements_;
   std::vector<std::vector<DisplacedInstance>> displaced_;
   std::vector<SourceSet*> sources_;
+  std::vector<std::unique_ptr<Reception>> receptions_;
 };
 
 }  // namespace insonify

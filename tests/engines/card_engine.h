@@ -30,13 +30,12 @@ class CardBatch final : public EchoBatch {
  public:
   explicit CardBatch(std::unique_ptr<EchoBatch> inner) : inner_(std::move(inner)) {}
   [[nodiscard]] std::size_t capacity(std::span<const PingView> views) const override { return inner_->capacity(views); }
-  void start(std::span<const PingView> views) override {
+  using EchoBatch::start;
+  void start(std::span<const PingView> views, EchoLists lists) override {
     use(card.batches, "a batch");
-    inner_->start(views);
+    inner_->start(views, lists);
   }
-  void receive(std::span<const std::span<const EchoList* const>> lists, EchoReceiver& receiver) override {
-    inner_->receive(lists, receiver);
-  }
+  void receive(EchoReceiver& receiver) override { inner_->receive(receiver); }
   [[nodiscard]] const EchoGrid& map(std::size_t view) override { return inner_->map(view); }
   [[nodiscard]] RayCounts ray_counts(std::size_t view) const override { return inner_->ray_counts(view); }
 

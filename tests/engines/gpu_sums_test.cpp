@@ -159,7 +159,7 @@ TEST_F(GpuEngineTest, SumsAreExactWhereNothingIsLeftOfEchoes) {
 // Gives up at one view, as when a run is interrupted.
 class StoppingReceiver final : public EchoReceiver {
  public:
-  void receive(std::size_t view, const EchoGrid&, Workers&, int) override {
+  void receive(std::size_t view, const EchoGrid&, const FormedBeams*, Workers&, int) override {
     if (view == 3) {
       throw Error("stop");
     }
@@ -181,10 +181,9 @@ TEST_F(GpuEngineTest, PartsOfABatchGiveTheBytesOfPingsAloneAlsoAfterOneWasGivenU
   }
   const std::unique_ptr<EchoBatch> together = engine->make_batch(), alone = engine->make_batch();
   ASSERT_EQ(together->capacity(views), kViews);
-  const std::vector<std::span<const EchoList* const>> no_echoes(kViews);
   StoppingReceiver stopping;
   together->start(views);
-  EXPECT_THROW(together->receive(no_echoes, stopping), Error);
+  EXPECT_THROW(together->receive(stopping), Error);
   std::ranges::reverse(views);
   together->start(views);
   std::vector<EchoGrid> grids(kViews);

@@ -62,9 +62,11 @@ class RemoteBatch final : public EchoBatch {
     return std::min(views.size(), kMostViews);
   }
 
-  void start(std::span<const PingView> views) override {
+  using EchoBatch::start;
+  void start(std::span<const PingView> views, EchoLists lists) override {
     ++engine_.batches;
     views_ = views;
+    lists_ = lists;
     grids_.clear();
     counts_.clear();
     for (const PingView& view : views) {
@@ -74,14 +76,14 @@ class RemoteBatch final : public EchoBatch {
     }
   }
 
-  void receive(std::span<const std::span<const EchoList* const>> lists, EchoReceiver& receiver) override {
+  void receive(EchoReceiver& receiver) override {
     for (std::size_t view = 0; view < views_.size(); ++view) {
       EchoGrid copy = grids_[view];
-      for (const EchoList* list : lists[view]) {
+      for (const EchoList* list : lists_[view]) {
         std::ranges::for_each(list->spread, [&](const Echo& echo) { deposit(*views_[view].plan, echo, copy); });
         std::ranges::copy(list->discrete, std::back_inserter(copy.discrete_echoes()));
       }
-      receiver.receive(view, copy, engine_.workers_, 0);
+      receiver.receive(view, copy, nullptr, engine_.workers_, 0);
     }
   }
 
@@ -96,6 +98,7 @@ class RemoteBatch final : public EchoBatch {
   RemoteEngine& engine_;
   std::unique_ptr<EchoBatch> inner_;
   std::span<const PingView> views_;
+  EchoLists lists_;
   std::vector<EchoGrid> grids_;
   std::vector<RayCounts> counts_;
   EchoGrid mapped_;

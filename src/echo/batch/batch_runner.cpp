@@ -161,8 +161,8 @@ void BatchRunner::run(std::span<const PingView> views, std::span<SourceSet* cons
     answer();
   }
   list_echoes();
-  batch_->start(views);
-  batch_->receive(lists_of_views_, receiver);
+  batch_->start(views, lists_of_views_);
+  batch_->receive(receiver);
 }
 
 }  // namespace insonify

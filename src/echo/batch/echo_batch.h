@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "echo/batch/ping_view.h"
+#include "echo/batch/reception.h"
 #include "echo/grid/echo.h"
 #include "echo/grid/echo_grid.h"
 #include "insonify/engine.h"
@@ -19,10 +20,16 @@ class EchoReceiver {
   virtual ~EchoReceiver() = default;
 
   /// Called once for each view; calls for different views may run at once, on different workers.
+  /// @param formed   What the engine has made of PingView::reception; null: nothing, all echoes are in the grid. Else
+  ///                 only discrete echoes are.
   /// @param workers  Threads for the steps of this view.
   /// @param worker   Number of the calling thread, which chooses its scratch memory.
-  virtual void receive(std::size_t view, const EchoGrid& grid, Workers& workers, int worker) = 0;
+  virtual void receive(std::size_t view, const EchoGrid& grid, const FormedBeams* formed, Workers& workers,
+                       int worker) = 0;
 };
+
+/// [view][source]
+using EchoLists = std::span<const std::span<const EchoList* const>>;
 
 /// The echoes of a batch of pings. They stay where the engine computes them; only map() copies a grid to the host,
 /// where it is not there already. An object is used by one thread at a time, and reused from batch to batch.
@@ -35,13 +42,13 @@ class EchoBatch {
 
   /// Empties the batch and computes the echoes of the samples of each view's fan, or begins to. Results depend on the
   /// views alone, not on what else is in the batch, nor on threads.
-  /// @param views  At most capacity(views). Must stay valid until the next start().
-  virtual void start(std::span<const PingView> views) = 0;
+  /// @param views  At most capacity(views). They and the lists must stay valid until the next start().
+  /// @param lists  [view][source] Echoes that receive() adds, in this order; empty: none.
+  virtual void start(std::span<const PingView> views, EchoLists lists) = 0;
+  void start(std::span<const PingView> views) { start(views, {}); }
 
-  /// Adds echoes to each view's grid, in this order, and passes it to the receiver: the first views while a device
-  /// still computes the last.
-  /// @param lists  [view][source]
-  virtual void receive(std::span<const std::span<const EchoList* const>> lists, EchoReceiver& receiver) = 0;
+  /// Passes each view's echoes to the receiver: the first views while a device still computes the last.
+  virtual void receive(EchoReceiver& receiver) = 0;
 
   /// The grid of one view, without echoes of sources, to be read on the host until the next call.
   [[nodiscard]] virtual const EchoGrid& map(std::size_t view) = 0;

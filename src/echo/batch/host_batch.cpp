@@ -65,8 +65,9 @@ void HostBatch::take_grids() {
   }
 }
 
-void HostBatch::start(std::span<const PingView> views) {
+void HostBatch::start(std::span<const PingView> views, EchoLists lists) {
   views_ = views;
+  lists_ = lists;
   take_grids();
   counts_.assign(views.size(), {});
   for (std::size_t i = 0; i < views.size(); ++i) {
@@ -75,28 +76,31 @@ void HostBatch::start(std::span<const PingView> views) {
   insonify(views);
 }
 
-void HostBatch::add(std::span<const EchoList* const> lists, std::size_t view, Workers& workers) {
+void HostBatch::add_spread(std::size_t view, Workers& workers) {
   EchoGrid& grid = *grids_[view];
-  bool any = false;
-  for (const EchoList* list : lists) {
-    any = any || !list->spread.empty();
-    grid.discrete_echoes().insert(grid.discrete_echoes().end(), list->discrete.begin(), list->discrete.end());
+  if (std::ranges::all_of(lists_of(view), [](const EchoList* list) { return list->spread.empty(); })) {
+    return;
   }
-  if (any) {
-    deposit_together(*views_[view].plan, workers, grid, [&](const auto& add_one) {
-      for (const EchoList* list : lists) {
-        std::ranges::for_each(list->spread, add_one);
-      }
-    });
-    grid.keep_spare_surfaces();
-  }
+  deposit_together(*views_[view].plan, workers, grid, [&](const auto& add_one) {
+    for (const EchoList* list : lists_of(view)) {
+      std::ranges::for_each(list->spread, add_one);
+    }
+  });
+  grid.keep_spare_surfaces();
 }
 
-void HostBatch::receive(std::span<const std::span<const EchoList* const>> lists, EchoReceiver& receiver) {
+void HostBatch::receive(EchoReceiver& receiver) {
   for_each_view([&](std::size_t view, Workers& workers, int worker) {
     finish(view, workers);
-    add(lists[view], view, workers);
-    receiver.receive(view, *grids_[view], workers, worker);
+    const std::optional<FormedBeams> beams = formed(view);
+    if (!beams) {
+      add_spread(view, workers);
+    }
+    EchoGrid& grid = *grids_[view];
+    for (const EchoList* list : lists_of(view)) {
+      grid.discrete_echoes().insert(grid.discrete_echoes().end(), list->discrete.begin(), list->discrete.end());
+    }
+    receiver.receive(view, grid, beams ? &*beams : nullptr, workers, worker);
   });
 }
 

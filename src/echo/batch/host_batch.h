@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "echo/batch/echo_batch.h"
@@ -18,8 +19,9 @@ class HostBatch : public EchoBatch {
   explicit HostBatch(Workers& workers) : workers_(workers) {}
 
   [[nodiscard]] std::size_t capacity(std::span<const PingView> views) const override;
-  void start(std::span<const PingView> views) final;
-  void receive(std::span<const std::span<const EchoList* const>> lists, EchoReceiver& receiver) final;
+  using EchoBatch::start;
+  void start(std::span<const PingView> views, EchoLists lists) final;
+  void receive(EchoReceiver& receiver) final;
   [[nodiscard]] const EchoGrid& map(std::size_t view) final;
   [[nodiscard]] RayCounts ray_counts(std::size_t view) const final { return counts_[view]; }
 
@@ -30,6 +32,9 @@ class HostBatch : public EchoBatch {
   /// Where a device computes: waits until it has finished a view, and fills its grid. Calls for different views may run
   /// at once.
   virtual void finish([[maybe_unused]] std::size_t view, [[maybe_unused]] Workers& workers) {}
+
+  /// What a device has received of a view that it has finished; none on the host.
+  [[nodiscard]] virtual std::optional<FormedBeams> formed([[maybe_unused]] std::size_t view) const { return {}; }
 
   /// Whether a batch of so many views is computed by a thread a view, rather than one view after another by all
   /// threads.
@@ -44,9 +49,16 @@ class HostBatch : public EchoBatch {
   std::vector<RayCounts> counts_;                 ///< [view]
   std::span<const PingView> views_;
 
+  /// The echoes of a view's sources.
+  [[nodiscard]] std::span<const EchoList* const> lists_of(std::size_t view) const {
+    return lists_.empty() ? std::span<const EchoList* const>() : lists_[view];
+  }
+
  private:
   void take_grids();
-  void add(std::span<const EchoList* const> lists, std::size_t view, Workers& workers);
+  void add_spread(std::size_t view, Workers& workers);
+
+  EchoLists lists_;
 };
 
 template <typename Run>

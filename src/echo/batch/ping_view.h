@@ -41,6 +41,8 @@ struct Placement {
   }
 };
 
+struct Reception;
+
 /// The layers of an EchoGrid.
 struct GridLayers {
   int orders = kPathOrders;  ///< Path orders, 1..kPathOrders.
@@ -54,6 +56,7 @@ struct PingView {
   Pose world_from_sonar = {};            ///< Pose of the transducer: the head, turned, for a scanning sonar.
   const Placement* placement = nullptr;  ///< Null: all instances are as the engine has them.
   GridLayers layers = {};
+  const Reception* reception = nullptr;  ///< What an engine may receive itself; null: nothing.
 
   // For echo sources; engines do not read these.
   std::uint64_t number = 0;      ///< Number of the ping.

@@ -14,6 +14,35 @@ namespace {
 // Views that are computed in one submission: enough to fill a card.
 constexpr std::size_t kViewsOfPart = 16;
 
+// What is on the device for the sonars of a batch, by what it is made from. At its end those are dropped that others
+// may need, where there are too many: then most belong to sonars that are gone.
+template <typename Key, typename Value>
+class Kept {
+ public:
+  explicit Kept(std::map<Key, Value>& values) : values_(values), others_(std::exchange(values, {})) {}
+  ~Kept() {
+    constexpr std::size_t kMost = 64;
+    if (values_.size() + others_.size() <= kMost) {
+      values_.merge(others_);
+    }
+  }
+  Kept(const Kept&) = delete;
+  Kept& operator=(const Kept&) = delete;
+
+  // Keeps the value of a key, and sets it at the first call.
+  template <typename Set>
+  void keep(Key key, const Set& set) {
+    if (!values_.contains(key)) {
+      values_.insert(others_.extract(key));
+      set(values_[key]);
+    }
+  }
+
+ private:
+  std::map<Key, Value>& values_;
+  std::map<Key, Value> others_;
+};
+
 }  // namespace
 
 GpuBatch::GpuBatch(GpuWorld& world, const PingKernels& kernels, Workers& workers)
@@ -21,7 +50,7 @@ GpuBatch::GpuBatch(GpuWorld& world, const PingKernels& kernels, Workers& workers
 
 // As many as fit into a part of the device's memory.
 std::size_t GpuBatch::capacity(std::span<const PingView> views) const {
-  constexpr std::size_t kBytesPerSample = 84, kBytesPerCell = 180, kMostViews = 64;
+  constexpr std::size_t kBytesPerSample = 84, kBytesPerCell = 250, kMostViews = 64;
   const std::size_t most = world_.device.info().memory / 4;
   std::size_t count = 0, bytes = 0;
   for (const PingView& view : views.first(std::min(kMostViews, views.size()))) {
@@ -52,26 +81,40 @@ void GpuBatch::choose_sampling(std::span<const PingView> views) {
 
 // Each plan is on the device once, however many views have it.
 void GpuBatch::set_plans(std::span<const PingView> views) {
-  constexpr std::size_t kMostPlans = 64;  // Where there are more, most belong to sonars that are gone.
-  std::map<const FlatPlan*, GpuPlan> others = std::exchange(plans_, {});
+  Kept others(plans_);
   for (const PingView& view : views) {
-    if (!plans_.contains(view.plan)) {
-      plans_.insert(others.extract(view.plan));
-      plans_[view.plan].set(world_.device, *view.plan);
-    }
+    others.keep(view.plan, [&](GpuPlan& plan) { plan.set(world_.device, *view.plan); });
   }
-  if (plans_.size() + others.size() <= kMostPlans) {
-    plans_.merge(others);
+}
+
+void GpuBatch::set_receivers(std::span<const PingView> views) {
+  Kept others(receivers_);
+  for (const PingView& view : views) {
+    if (view.reception != nullptr) {
+      const std::shared_ptr<const FlatReceiver>& flat = view.reception->receiver;
+      others.keep(flat.get(), [&](GpuReceiver& receiver) { receiver.set(world_.device, flat); });
+    }
   }
 }
 
 void GpuBatch::prepare(std::span<const PingView> views) {
   set_plans(views);
+  set_receivers(views);
   for (std::size_t i = 0; i < views.size(); ++i) {
     Ping& ping = *pings_[i];
     world_.scene.place(views[i].placement, ping.placement);
     ping.memory.reserve(world_.device, views[i], world_.scene.has_relief());
+    ping.reception.clear();
+    if (views[i].reception != nullptr) {
+      ping.reception.set(world_.device, views[i], lists_of(i),
+                         receivers_.at(views[i].reception->receiver.get()).address());
+    }
   }
+}
+
+std::optional<FormedBeams> GpuBatch::formed(std::size_t view) const {
+  const ReceptionMemory& reception = pings_[view]->reception;
+  return reception.used() ? std::optional(reception.formed()) : std::nullopt;
 }
 
 std::vector<StepTime> GpuBatch::step_times() const {
@@ -98,12 +141,13 @@ bool GpuBatch::enough_room(const Part& part) {
 // Copies the further surfaces that there was no room for on the host.
 void GpuBatch::copy_rest(Part& part) {
   const std::span<const std::unique_ptr<Ping>> pings = std::span(pings_).subspan(part.first, part.count);
-  if (std::ranges::none_of(pings, [](const auto& ping) { return ping->memory.has_rest(); })) {
+  const auto has_rest = [](const auto& ping) { return !ping->reception.used() && ping->memory.has_rest(); };
+  if (std::ranges::none_of(pings, has_rest)) {
     return;
   }
   part.commands.begin();
   for (const auto& ping : pings) {
-    if (ping->memory.has_rest()) {
+    if (has_rest(ping)) {
       ping->memory.copy_rest(world_.device, part.commands);
     }
   }
@@ -145,10 +189,12 @@ void GpuBatch::read(std::size_t view, Workers& workers) {
   constexpr int kBeams = 8;  // In a task.
   const PingMemory& memory = pings_[view]->memory;
   const FlatPlan& plan = *views_[view].plan;
-  workers.for_each((plan.beam_count + kBeams - 1) / kBeams, [&](int task, int) {
-    read_beams(memory, task * kBeams, std::min((task + 1) * kBeams, plan.beam_count), *grids_[view]);
-  });
-  read_further_surfaces(memory, *grids_[view]);
+  if (!pings_[view]->reception.used()) {
+    workers.for_each((plan.beam_count + kBeams - 1) / kBeams, [&](int task, int) {
+      read_beams(memory, task * kBeams, std::min((task + 1) * kBeams, plan.beam_count), *grids_[view]);
+    });
+    read_further_surfaces(memory, *grids_[view]);
+  }
   const shader::Counters& counters = memory.counters();
   counts_[view] = {.primary = std::accumulate(std::begin(counters.behind), std::end(counters.behind),
                                               static_cast<std::uint64_t>(plan.lattice.columns) * plan.lattice.rows),

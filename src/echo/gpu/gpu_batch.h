@@ -6,14 +6,17 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "echo/batch/host_batch.h"
 #include "echo/gpu/gpu_plan.h"
+#include "echo/gpu/gpu_receiver.h"
 #include "echo/gpu/gpu_world.h"
 #include "echo/gpu/ping_kernels.h"
 #include "echo/gpu/ping_memory.h"
+#include "echo/gpu/reception_memory.h"
 #include "echo/rays/choose_sampling.h"
 
 namespace insonify {
@@ -30,11 +33,13 @@ class GpuBatch final : public HostBatch {
  protected:
   void insonify(std::span<const PingView> views) override;
   void finish(std::size_t view, Workers& workers) override;
+  [[nodiscard]] std::optional<FormedBeams> formed(std::size_t view) const override;
 
  private:
   struct Ping {
     GpuPlacement placement;
     PingMemory memory;
+    ReceptionMemory reception;
     SamplingProbes probes;
   };
 
@@ -54,12 +59,17 @@ class GpuBatch final : public HostBatch {
 
   void choose_sampling(std::span<const PingView> views);
   void set_plans(std::span<const PingView> views);
+  void set_receivers(std::span<const PingView> views);
   void prepare(std::span<const PingView> views);
   void fill_jobs(Part& part);
   void fill_layers(Part& part);
   void copy_inputs(Part& part);
   void record(Part& part);
   void record_layers(Part& part);
+  void record_echoes(Part& part);
+  void record_reception(Part& part);
+  void record_beams(Part& part);
+  static void finish_step(Part& part, std::string_view name);
   [[nodiscard]] shader::PingJob job_of_layer(const Part& part, std::uint32_t passed) const;
   void start_part(Part& part);
   void finish_part(Part& part);
@@ -70,6 +80,7 @@ class GpuBatch final : public HostBatch {
   GpuWorld& world_;
   const PingKernels& kernels_;
   std::map<const FlatPlan*, GpuPlan> plans_;
+  std::map<const FlatReceiver*, GpuReceiver> receivers_;
   std::vector<std::unique_ptr<Ping>> pings_;  // [view]
   std::vector<SecondarySampling> sampling_;   // [view]
   std::vector<std::unique_ptr<Part>> parts_;  // In the order of their views; those after the last view are spare.

@@ -23,6 +23,7 @@ class GpuEngine final : public Engine {
   [[nodiscard]] std::unique_ptr<EchoBatch> make_batch() override {
     return std::make_unique<GpuBatch>(world_, kernels_, workers_);
   }
+  [[nodiscard]] bool receives() const override { return world_.device.info().doubles; }
   using Engine::trace;
   void trace(std::span<const RayRun> runs) override { world_.trace(runs); }
   [[nodiscard]] EngineMemory memory() const override { return {world_.device.bytes(), 0}; }

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <span>
 
+#include "echo/gpu/packer.h"
 #include "echo/laws/laws.h"
 #include "echo/model/left_out.h"
 
@@ -18,27 +19,6 @@ static_assert(shader::kAngleSteps == AngleTable::kSteps && shader::kReflectance 
 
 // Least loss that the scale of a bin makes up for: of an intensity that is less nothing is left in single precision.
 constexpr double kLeastLoss = 1e-36;
-
-// Appends tables to bytes that will be at an address on the device.
-class Packer {
- public:
-  Packer(shader::address start, std::vector<std::byte>& bytes) : start_(start), bytes_(bytes) {}
-
-  /// @return Address of the table.
-  template <typename Values>
-  shader::address add(const Values& table) {
-    const std::size_t offset = bytes_.size(), size = table.size() * sizeof(*table.data());
-    bytes_.resize(offset + size);
-    if (size > 0) {
-      std::memcpy(&bytes_[offset], table.data(), size);
-    }
-    return start_ + offset;
-  }
-
- private:
-  shader::address start_;
-  std::vector<std::byte>& bytes_;
-};
 
 shader::PlanTables numbers_of(const FlatPlan& plan) {
   const Logistic sigmoid = plan.shape.terms();

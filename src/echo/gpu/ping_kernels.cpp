@@ -32,6 +32,33 @@ constexpr std::uint32_t kReflect[] = {
 constexpr std::uint32_t kGather[] = {
 #include "shaders/gather.inc"
 };
+constexpr std::uint32_t kAddEchoes[] = {
+#include "shaders/add_echoes.inc"
+};
+constexpr std::uint32_t kSumCells[] = {
+#include "shaders/sum_cells.inc"
+};
+constexpr std::uint32_t kSmooth[] = {
+#include "shaders/smooth.inc"
+};
+constexpr std::uint32_t kDrawSpeckle[] = {
+#include "shaders/draw_speckle.inc"
+};
+constexpr std::uint32_t kShapePulse[] = {
+#include "shaders/shape_pulse.inc"
+};
+constexpr std::uint32_t kDrawNoise[] = {
+#include "shaders/draw_noise.inc"
+};
+constexpr std::uint32_t kFilterNoise[] = {
+#include "shaders/filter_noise.inc"
+};
+constexpr std::uint32_t kFormBeams[] = {
+#include "shaders/form_beams.inc"
+};
+constexpr std::uint32_t kLabelBeams[] = {
+#include "shaders/label_beams.inc"
+};
 
 }  // namespace
 
@@ -44,6 +71,18 @@ PingKernels::PingKernels(gpu::Device& device)
       count_groups(device, "count_groups", kCountGroups),
       reflect(device, "reflect", kReflect),
       mirror(device, "mirror", kMirror),
-      gather(device, "gather", kGather) {}
+      gather(device, "gather", kGather),
+      add_echoes(device, "add_echoes", kAddEchoes),
+      sum_cells(device, "sum_cells", kSumCells),
+      smooth(device, "smooth", kSmooth),
+      shape_pulse(device, "shape_pulse", kShapePulse),
+      draw_noise(device, "draw_noise", kDrawNoise),
+      filter_noise(device, "filter_noise", kFilterNoise),
+      form_beams(device, "form_beams", kFormBeams),
+      label_beams(device, "label_beams", kLabelBeams) {
+  if (device.info().doubles) {
+    draw_speckle = gpu::Kernel(device, "draw_speckle", kDrawSpeckle);
+  }
+}
 
 }  // namespace insonify

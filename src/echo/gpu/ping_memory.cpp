@@ -125,6 +125,10 @@ bool PingMemory::enough_room(gpu::Device& device) {
   return false;
 }
 
+void PingMemory::copy_counters(gpu::Commands& commands) const {
+  commands.copy(to_host_, 0, host_, 0, sizeof(shader::Counters));
+}
+
 void PingMemory::copy_layers(gpu::Device& device, gpu::Commands& commands) {
   commands.copy(to_host_, 0, host_, 0, layer_bytes_);
   if (cells_.labelled != 0) {

@@ -22,6 +22,9 @@ class PingMemory {
   /// run again.
   bool enough_room(gpu::Device& device);
 
+  /// Records the copy of the counters, where the host reads nothing else.
+  void copy_counters(gpu::Commands& commands) const;
+
   /// Records copies of what the host reads: room for as many further surfaces as the ping before had, and a few more.
   void copy_layers(gpu::Device& device, gpu::Commands& commands);
 

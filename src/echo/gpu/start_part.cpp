@@ -18,7 +18,7 @@ static_assert(shader::kMostPassed == kMostPassed);
 
 // Groups of each step for the view that needs most.
 struct GroupCounts {
-  std::uint32_t tiles = 0, samples = 0, intervals = 0, blocks = 0, cells = 0;
+  std::uint32_t tiles = 0, samples = 0, intervals = 0, blocks = 0;
 
   explicit GroupCounts(std::span<const PingView> views) {
     for (const PingView& view : views) {
@@ -28,7 +28,6 @@ struct GroupCounts {
       samples = std::max(samples, groups_for(columns * rows));
       intervals = std::max(intervals, groups_for(columns * (rows + 1)));
       blocks = std::max(blocks, groups_for(columns * groups_for(rows, kSelectionRows)));
-      cells = std::max(cells, groups_for(static_cast<std::uint32_t>(view.plan->beam_count * view.plan->bin_count)));
     }
   }
 };
@@ -53,7 +52,8 @@ void GpuBatch::fill_jobs(Part& part) {
                                 .samples = ping.memory.samples(),
                                 .cells = ping.memory.cells(),
                                 .layers = ping.memory.layers(),
-                                .reflecting = ping.memory.reflecting()};
+                                .reflecting = ping.memory.reflecting(),
+                                .reception = ping.reception.at()};
     std::memcpy(to, &job, sizeof(job));
   }
 }
@@ -82,7 +82,8 @@ shader::PingJob GpuBatch::job_of_layer(const Part& part, std::uint32_t passed) c
           .first = 0,
           .most_groups = gpu::Commands::most_groups,
           .next_layer = next,
-          .layer = passed};
+          .layer = passed,
+          .smoothed = 0};
 }
 
 // What lies behind surfaces that let sound through, one surface after another: the steps of the primary echoes, which
@@ -107,63 +108,67 @@ void GpuBatch::copy_inputs(Part& part) {
   for (auto& [of, plan] : plans_) {
     plan.copy(part.commands);
   }
+  for (auto& [of, receiver] : receivers_) {
+    receiver.copy(part.commands);
+  }
   for (const auto& ping : std::span(pings_).subspan(part.first, part.count)) {
     ping->placement.buffer.copy(part.commands);
     ping->memory.clear(part.commands);
+    ping->reception.copy_inputs(part.commands);
   }
   part.jobs.copy(part.commands);
   part.layers.copy(part.commands);
 }
 
-void GpuBatch::record(Part& part) {
+void GpuBatch::finish_step(Part& part, std::string_view name) {
+  part.commands.wait_for_writes();
+  part.commands.stamp();
+  part.steps.push_back(name);
+}
+
+// From the first rays to the sums of all cells.
+void GpuBatch::record_echoes(Part& part) {
   const GroupCounts groups(views_.subspan(part.first, part.count));
   const auto count = static_cast<std::uint32_t>(part.count);
-  const std::span<const std::unique_ptr<Ping>> pings = std::span(pings_).subspan(part.first, part.count);
   gpu::Commands& commands = part.commands;
   const shader::PingJob all = job_of_layer(part, 0);
-  const auto finish_step = [&](std::string_view name) {
-    commands.wait_for_writes();
-    commands.stamp();
-    part.steps.push_back(name);
-  };
-  part.steps.clear();
-  commands.begin();
-  commands.stamp();
-  copy_inputs(part);
-  finish_step("clear");
   commands.run(kernels_.trace_primaries, all, groups.tiles, count);
-  finish_step("trace_primaries");
+  finish_step(part, "trace_primaries");
   const bool calibrated = views_.front().plan->model == EchoModel::kCalibrated;
   if (calibrated) {
     commands.run(kernels_.turn_up, all, groups.samples, count);
-    finish_step("turn_up");
+    finish_step(part, "turn_up");
   }
   commands.run(kernels_.evaluate, all, groups.samples, count);
-  finish_step("evaluate");
+  finish_step(part, "evaluate");
   commands.run(kernels_.select, all, groups.blocks, count);
-  finish_step("select");
+  finish_step(part, "select");
   commands.run(kernels_.deposit, all, groups.intervals, count);
   commands.run(kernels_.count_groups, all, 1, count);
-  finish_step("deposit");
+  finish_step(part, "deposit");
   for (std::uint32_t i = 0; i < count; ++i) {
-    const PingMemory& memory = pings[i]->memory;
+    const PingMemory& memory = pings_[part.first + i]->memory;
     shader::PingJob own = all;
     own.first = i;
     commands.run_indirect(calibrated ? kernels_.mirror : kernels_.reflect, own, memory.counted(),
                           offsetof(shader::Counters, groups));
   }
-  finish_step(calibrated ? "mirror" : "reflect");
+  finish_step(part, calibrated ? "mirror" : "reflect");
+}
+
+void GpuBatch::record(Part& part) {
+  part.steps.clear();
+  part.commands.begin();
+  part.commands.stamp();
+  copy_inputs(part);
+  finish_step(part, "clear");
+  record_echoes(part);
   if (sees_through_) {
     record_layers(part);
-    finish_step("behind");
+    finish_step(part, "behind");
   }
-  commands.run(kernels_.gather, all, groups.cells, count);
-  finish_step("gather");
-  for (std::uint32_t i = 0; i < count; ++i) {
-    pings[i]->memory.copy_layers(world_.device, commands);
-  }
-  finish_step("copy");
-  commands.submit();
+  record_reception(part);
+  part.commands.submit();
 }
 
 void GpuBatch::start_part(Part& part) {

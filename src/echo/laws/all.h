@@ -15,4 +15,9 @@
 #include "echo/laws/path_footprint.h"
 #include "echo/laws/ray_tube.h"
 #include "echo/laws/mirror_echo.h"
+#include "echo/laws/scatterers.h"
+#include "echo/laws/one_look.h"
+#ifdef __cplusplus  // A shader includes it with Real as double.
+#include "echo/laws/window_rung.h"
+#endif
 // clang-format on

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/philox.h"
 #include "base/vector_math.h"
 #include "insonify/geometry.h"
 

@@ -71,8 +71,16 @@ bool either(bool a, bool b) {
 struct SineCosine {
   float sine, cosine;
 };
-SineCosine fast_sine_cosine(float turns) {
-  const SineCosine at = {sin(6.2831853 * turns), cos(6.2831853 * turns)};
+SineCosine fast_sine_cosine(float turns) {  // Vulkan's sin and cos may be 5e-4 wrong.
+  const float quarters = roundEven(4.0 * turns);
+  const int quadrant = int(quarters);
+  const float x = (4.0 * turns - quarters) * 1.57079632679489662, square = x * x;
+  const float s = x + x * square * (-1.6666654611e-1 + square * (8.3321608736e-3 - square * 1.9515295891e-4));
+  const float c =
+      1.0 - 0.5 * square + square * square * (4.166664568e-2 + square * (-1.388731625e-3 + square * 2.443315711e-5));
+  const bool swapped = (quadrant & 1) != 0;
+  const SineCosine at = {(quadrant & 2) != 0 ? -(swapped ? c : s) : (swapped ? c : s),
+                         ((quadrant + 1) & 2) != 0 ? -(swapped ? s : c) : (swapped ? s : c)};
   return at;
 }
 float fast_exp(float x) {
@@ -80,6 +88,11 @@ float fast_exp(float x) {
 }
 float fast_log(float x) {
   return log(x);
+}
+
+// Of base/philox.h.
+float uniform_open(uint word) {
+  return (float(word >> 9) + 0.5) * (1.0 / 8388608.0);
 }
 
 #endif

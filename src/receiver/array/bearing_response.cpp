@@ -245,6 +245,17 @@ void BearingResponse::for_each_part(BinRange bins, bool energy, const Receive& r
   }
 }
 
+std::vector<GainZone> BearingResponse::zones() const {
+  std::vector<GainZone> zones;
+  for (const Focus& focus : focuses_) {
+    const Gains& gains = focus.kept ? *focus.kept : in_focus_;
+    zones.push_back({.end = focus.end,
+                     .in_phase = gains.in_phase.table(),
+                     .quadrature = gains.quadrature.beam_count() > 0 ? gains.quadrature.table() : GainTable()});
+  }
+  return zones;
+}
+
 void BearingResponse::receive_energy(std::span<const float> cells, std::span<float> beams, int bin_count, BinRange bins,
                                      BinRange filled) const {
   assert(cells.size() == static_cast<std::size_t>(cell_count()) * bin_count);

@@ -91,6 +91,9 @@ class BearingResponse {
     return std::ranges::all_of(focuses_, [](const Focus& focus) { return focus.tables.empty() || focus.kept; });
   }
 
+  /// The gains of all bins, where keeps_all(); they refer to this object.
+  [[nodiscard]] std::vector<GainZone> zones() const;
+
   /// Beam energies: the matrix product beams = |g|^2 cells, for the bins of one task. Allocates nothing.
   /// @param cells      Cell energies, [cell][bin].
   /// @param beams      Beam energies, [beam][bin]; written in `bins`.

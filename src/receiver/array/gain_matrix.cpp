@@ -112,6 +112,14 @@ void GainMatrix::limit(int beam, int first, int last) {
   }
 }
 
+GainTable GainMatrix::table() const {
+  GainTable table = {.gains = gains_};
+  for (const Band& band : bands_) {
+    table.bands.insert(table.bands.end(), {band.first, band.last});
+  }
+  return table;
+}
+
 double GainMatrix::filled() const {
   double cells = 0;
   for (const Band& band : bands_) {

@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include "echo/batch/reception.h"
+
 namespace insonify {
 
 /// A matrix of real gains, beam_count x cell_count. Each row has a band of cells; gains outside it count as zero and
@@ -31,6 +33,9 @@ class GainMatrix {
   /// Extends the band of the beam's block to include the cells [first, last). Bands are empty at first. A band is
   /// shared by the beams of a block, so gains of a beam outside its own limits may still be used.
   void limit(int beam, int first, int last);
+
+  /// All gains and bands, which refer to this object.
+  [[nodiscard]] GainTable table() const;
 
   /// Fraction of the matrix inside the bands, 0..1.
   [[nodiscard]] double filled() const;

@@ -49,6 +49,11 @@ class NoiseField {
     return &(gains_ ? beam_values_ : row_values_)[static_cast<std::size_t>(beam) * 2 * bins_];
   }
 
+  /// What the noise is drawn from: rows of white noise, a filter, and gains; without gains rows are the beams.
+  [[nodiscard]] int rows() const { return rows_; }
+  [[nodiscard]] const std::vector<float>& taps() const { return taps_; }
+  [[nodiscard]] GainTable gains() const { return gains_ ? gains_->table() : GainTable(); }
+
   /// Real and imaginary parts of a beam's bins.
   [[nodiscard]] const float* in_phase(int beam) const { return beam_row(beam); }
   [[nodiscard]] const float* quadrature(int beam) const { return beam_row(beam) + bins_; }

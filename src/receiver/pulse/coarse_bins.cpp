@@ -7,27 +7,20 @@
 #include <iterator>
 
 #include "base/vector_math.h"
+#include "echo/laws/laws.h"
 
 namespace insonify {
 namespace {
 
-constexpr float kTimesNeighbours = 2;  // Energy above this multiple of its neighbours' is compact.
-constexpr int kBlock = 128;            // Bins computed together.
+constexpr int kBlock = 128;  // Bins computed together.
 
 // Energy of one look in bins [0, count).
 // @param pairs   Share of what two bins have above their neighbours that counts as compact.
 // @param energy  From two bins before the first to two after the last.
 INSONIFY_VECTOR_CLONES
 void take_look(int count, float share, float pairs, const float* __restrict__ energy, float* __restrict__ look) {
-  const auto larger = [](float a, float b) { return a < b ? b : a; };
-  const auto smaller = [](float a, float b) { return b < a ? b : a; };
   for (int i = 0; i < count; ++i) {
-    const float before = energy[i + 1], here = energy[i + 2], after = energy[i + 3];
-    const float with_next = larger(before, energy[i + 4]), with_last = larger(energy[i], after);
-    const float alone = smaller(here, kTimesNeighbours * larger(before, after));
-    const float paired = smaller(alone, kTimesNeighbours * smaller(with_next, with_last));
-    const float extended = alone - pairs * (alone - paired);
-    look[i] = (here - extended) + share * extended;
+    look[i] = one_look({energy[i], energy[i + 1], energy[i + 2], energy[i + 3], energy[i + 4]}, share, pairs);
   }
 }
 
@@ -46,7 +39,7 @@ CoarseBins::CoarseBins(const Pulse& pulse, double bin_length, const RangeRespons
 }
 
 void CoarseBins::receive(std::span<float> energy) const {
-  if (decimation_ == Decimation::kMean && looks_ > 1) {
+  if (shares_compact()) {
     for (float& value : energy) {
       value *= share_;
     }

@@ -41,6 +41,10 @@ class RangeResponse {
   /// Pulse amplitude p at so many bins (of either sign) from the echo.
   [[nodiscard]] float amplitude(int bins_away) const;
 
+  /// Taps p, and the bin that the first of them takes relative to the received one; with one cell per bin.
+  [[nodiscard]] std::span<const float> amplitudes() const { return amplitude_; }
+  [[nodiscard]] int first_tap() const { return first_; }
+
   /// Convolves one row. Allocates nothing.
   /// @param cells  cells_per_bin x the number of bins.
   /// @param bins   Written; must not overlap `cells`.

@@ -8,7 +8,7 @@
 #include "base/vector_math.h"
 #include "echo/grid/echo.h"
 #include "echo/grid/lanes.h"
-#include "receiver/speckle/scatterer_hash.h"
+#include "echo/laws/laws.h"
 #include "receiver/speckle/texture_law.h"
 
 namespace insonify {

@@ -19,7 +19,6 @@ constexpr int kMostSmoothing = 64;   // [bins]
 // Neighbouring bins belong to one surface if it rises by less than kJumpBins bins plus kJumpAngle [rad].
 constexpr double kJumpBins = 4;
 constexpr double kJumpAngle = 1e-3;
-constexpr int kLowest = -20, kHighest = 40;  // Exponents of kLadder.
 
 // Low-discrepancy fraction 0..1 for an integer (golden ratio sequence), with an offset that keeps borders of strips and
 // layers away from round coordinates.
@@ -36,13 +35,6 @@ void ScattererRow::resize(std::size_t count) {
   sums.resize(count + 1), ahead.resize(count + 1), up.resize(count + 1);
 }
 
-// The lattice of one run's bearing, and the projection from range and elevation to its coordinates.
-struct ScattererLattice::Axes {
-  double ahead, up;  // Position of the transducer [steps].
-  Projection projection;
-  Windows windows;
-};
-
 ScattererLattice::ScattererLattice(const BearingGrid& cells, const SonarConfig& sonar, double range_scale,
                                    double wavelength, double window, std::uint64_t seed)
     : bins_(sonar.bin_count),
@@ -51,7 +43,12 @@ ScattererLattice::ScattererLattice(const BearingGrid& cells, const SonarConfig& 
       window_(window),
       step_(window / kStepsPerWindow),
       turns_per_metre_(2 / wavelength),
-      smoothed_bins_(std::min(static_cast<int>(std::lround(kSmoothing / bin_length_)), kMostSmoothing)),
+      ranges_{static_cast<float>(first_range_), static_cast<float>(bin_length_)},
+      shape_{.window_share = static_cast<float>(window / bin_length_),
+             .layers_per_step = static_cast<float>(step_ / kLayer),
+             .jump = static_cast<float>(kJumpBins * bin_length_),
+             .jump_angle = static_cast<float>(kJumpAngle),
+             .smoothed_bins = std::min(static_cast<int>(std::lround(kSmoothing / bin_length_)), kMostSmoothing)},
       azimuth_(cells.centres),
       seed_(seed) {
   cell_width_ = cells.extent();
@@ -77,9 +74,7 @@ void ScattererLattice::divide(const SpeckleViews& views, ScattererRow& row) cons
   }
 }
 
-// Finds the bearing's lattice, and sets the run's random key.
-ScattererLattice::Axes ScattererLattice::axes_of(int cell, ScattererRow::Run& run) const {
-  const SpeckleView& view = *run.view;
+LatticeAxes ScattererLattice::axes_of(int cell, const SpeckleView& view) const {
   const int number = static_cast<int>(std::floor((azimuth_[cell] + view.bearings.offset) / cell_width_ + kOffCentre));
   const double bearing = (number + 0.5 - kOffCentre) * cell_width_;
   const double c = std::cos(bearing), s = std::sin(bearing);
@@ -88,79 +83,64 @@ ScattererLattice::Axes ScattererLattice::axes_of(int cell, ScattererRow::Run& ru
 
   const double sideways = view.position.dot(across);
   const double strip = std::floor(sideways / kStripWidth + spread_out(7 * number));
-  run.key = philox({static_cast<std::uint32_t>(number + kMiddleBearing),
-                    static_cast<std::uint32_t>(static_cast<std::int64_t>(strip)), 0,
-                    static_cast<std::uint32_t>(RandomPurpose::kSpeckle)},
-                   philox_key(seed_));
+  const PhiloxCounter key = philox({static_cast<std::uint32_t>(number + kMiddleBearing),
+                                    static_cast<std::uint32_t>(static_cast<std::int64_t>(strip)), 0,
+                                    static_cast<std::uint32_t>(RandomPurpose::kSpeckle)},
+                                   philox_key(seed_));
   // From the strip's middle, so that phases change little with the carrier, wherever the sonar is in the world.
   const double middle = (strip + 0.5 - spread_out(7 * number)) * kStripWidth;
-  run.across_turns = static_cast<float>(-turns_per_metre_ * cell_width_ * (sideways - middle));
 
   const Vec3 level = view.frame_from_sonar * Vec3(std::cos(azimuth_[cell]), std::sin(azimuth_[cell]), 0) / step_;
   const Vec3 normal = view.frame_from_sonar.col(2) / step_;
-  Axes axes{.ahead = view.position.dot(ahead) / step_,
-            .up = view.position.dot(up) / step_,
-            .projection = {.first_range = static_cast<float>(first_range_),
-                           .bin_length = static_cast<float>(bin_length_),
-                           .ahead_level = static_cast<float>(level.dot(ahead)),
-                           .ahead_normal = static_cast<float>(normal.dot(ahead)),
-                           .up_level = static_cast<float>(level.dot(up)),
-                           .up_normal = static_cast<float>(normal.dot(up))},
-            .windows = {}};
   const auto origin = [&](double steps, double stagger) {
     const double whole = std::floor(steps), layers = steps * step_ / kLayer + stagger, layer = std::floor(layers);
-    return Origin{.whole = static_cast<std::uint32_t>(static_cast<std::int64_t>(whole)),
-                  .rest = static_cast<float>(steps - whole),
-                  .in_layers = static_cast<float>(layers - layer),
-                  .layer = static_cast<std::int32_t>(layer)};
+    return LatticeOrigin{.whole = static_cast<std::uint32_t>(static_cast<std::int64_t>(whole)),
+                         .rest = static_cast<float>(steps - whole),
+                         .in_layers = static_cast<float>(layers - layer),
+                         .layer = static_cast<std::int32_t>(layer)};
   };
-  axes.windows = {.ahead = origin(axes.ahead, spread_out(3 * number + 1)),
-                  .up = origin(axes.up, spread_out(5 * number + 2)),
-                  .share = static_cast<float>(window_ / bin_length_),
-                  .layers_per_step = static_cast<float>(step_ / kLayer)};
-  return axes;
+  const double steps_ahead = view.position.dot(ahead) / step_, steps_up = view.position.dot(up) / step_;
+  return {.ahead = steps_ahead,
+          .up = steps_up,
+          .key = {key[0], key[1], key[2], key[3]},
+          .across_turns = static_cast<float>(-turns_per_metre_ * cell_width_ * (sideways - middle)),
+          .projection = {.ahead_level = static_cast<float>(level.dot(ahead)),
+                         .ahead_normal = static_cast<float>(normal.dot(ahead)),
+                         .up_level = static_cast<float>(level.dot(up)),
+                         .up_normal = static_cast<float>(normal.dot(up))},
+          .ahead_from = origin(steps_ahead, spread_out(3 * number + 1)),
+          .up_from = origin(steps_up, spread_out(5 * number + 2))};
 }
 
-// Switches one bin to a lattice of longer or shorter steps, so that its window has kShortest to kShortest kLadder
-// steps.
-void ScattererLattice::rescale(const Axes& axes, int bin, ScattererRow& row) const {
-  const double steps = std::abs(double{row.length[bin]});
-  if (steps >= double{kShortest} && steps < double{kShortest} * kLadder) {
+// Switches one bin to a lattice of longer or shorter steps, where its window needs that.
+void ScattererLattice::rescale(const LatticeAxes& axes, int bin, ScattererRow& row) const {
+  const float steps = std::abs(row.length[bin]);
+  if (!needs_rung(steps)) {
     return;
-  }
-  int rung = 0;
-  double scale = 1;
-  for (; steps * scale >= double{kShortest} * kLadder && rung < kHighest; ++rung) {
-    scale /= kLadder;
-  }
-  for (; steps * scale < double{kShortest} && rung > kLowest; --rung) {
-    scale *= kLadder;
   }
   const bool rises = (row.patch[bin] >> kRungBits & 1U) != 0;
   const double edges =
       rises ? double{row.up[bin]} + double{row.up[bin + 1]} : double{row.ahead[bin]} + double{row.ahead[bin + 1]};
-  const double length = std::clamp(steps * scale, double{kShortest}, double{kShortest} * kLadder);
-  const double low = ((rises ? axes.up : axes.ahead) + 0.5 * edges) * scale - 0.5 * length;
-  const double first = std::ceil(low - double{kPlace});
-  row.patch[bin] |= static_cast<std::uint32_t>(rung - kLowest + 1);
-  row.index[bin] = static_cast<std::uint32_t>(static_cast<std::int64_t>(first));
-  row.begin[bin] = static_cast<float>(low - first);
-  row.length[bin] = static_cast<float>(row.length[bin] < 0 ? -length : length);
+  const precise::RungWindow window = precise::rung_window(double{steps}, (rises ? axes.up : axes.ahead) + 0.5 * edges);
+  row.patch[bin] |= static_cast<std::uint32_t>(window.rung - precise::kLowestRung + 1);
+  row.index[bin] = static_cast<std::uint32_t>(static_cast<std::int64_t>(window.first));
+  row.begin[bin] = static_cast<float>(window.begin);
+  row.length[bin] = static_cast<float>(row.length[bin] < 0 ? -window.extent : window.extent);
 }
 
 // Finds the windows of consecutive bins on one continuous surface.
 // @param level  Whether all its elevations are 0.
-void ScattererLattice::locate_surface(const Axes& axes, BinRange bins, bool level, ScattererRow& row) const {
+void ScattererLattice::locate_surface(const LatticeAxes& axes, BinRange bins, bool level, ScattererRow& row) const {
   if (level) {
-    project_level_edges(bins, axes.projection, row.ahead.data(), row.up.data());
+    project_level_edges(bins, ranges_, axes.projection, row.ahead.data(), row.up.data());
   } else {
-    if (smoothed_bins_ > 0 && bins.last - bins.first > 2) {
-      smooth(bins, smoothed_bins_, row.sums.data(), row.elevation.data());
-      smooth(bins, smoothed_bins_, row.sums.data(), row.elevation.data());
+    if (shape_.smoothed_bins > 0 && bins.last - bins.first > 2) {
+      smooth(bins, shape_.smoothed_bins, row.sums.data(), row.elevation.data());
+      smooth(bins, shape_.smoothed_bins, row.sums.data(), row.elevation.data());
     }
-    project_edges(bins, axes.projection, row.elevation.data(), row.ahead.data(), row.up.data());
+    project_edges(bins, ranges_, axes.projection, row.elevation.data(), row.ahead.data(), row.up.data());
   }
-  if (find_windows(bins, axes.windows, row.ahead.data(), row.up.data(), row.patch.data(), row.index.data(),
+  if (find_windows(bins, axes, shape_, row.ahead.data(), row.up.data(), row.patch.data(), row.index.data(),
                    row.begin.data(), row.length.data())) {
     for (int bin = bins.first; bin < bins.last; ++bin) {
       rescale(axes, bin, row);
@@ -174,12 +154,10 @@ int ScattererLattice::surface_end(int first, int last, BinRange filled, const Sc
   if (first >= filled.last) {
     return last;
   }
-  const auto jump = static_cast<float>(kJumpBins * bin_length_), angle = static_cast<float>(kJumpAngle);
-  const auto nearest = static_cast<float>(first_range_), length = static_cast<float>(bin_length_);
   const int end = std::min(last, filled.last + 1);
   int bin = std::max(first + 1, std::min(filled.first, last));
-  while (bin < end && std::abs(row.elevation[bin] - row.elevation[bin - 1]) - angle <=
-                          jump / (nearest + static_cast<float>(bin) * length)) {
+  while (bin < end && std::abs(row.elevation[bin] - row.elevation[bin - 1]) - shape_.jump_angle <=
+                          shape_.jump / (ranges_.first + static_cast<float>(bin) * ranges_.length)) {
     ++bin;
   }
   return bin > filled.last ? last : bin;
@@ -199,7 +177,9 @@ void ScattererLattice::locate(const SpeckleViews& views, int cell, BinRange bins
   }
   divide(views, row);
   for (ScattererRow::Run& run : row.runs) {
-    const Axes axes = axes_of(cell, run);
+    const LatticeAxes axes = axes_of(cell, *run.view);
+    run.key = axes.key;
+    run.across_turns = axes.across_turns;
     BinRange surface{run.bins.first, run.bins.first};
     while (surface.first < run.bins.last) {
       surface.last = surface_end(surface.first, run.bins.last, filled, row);

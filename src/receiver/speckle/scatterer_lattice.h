@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "echo/batch/reception.h"
 #include "echo/grid/echo_grid.h"
 #include "insonify/sonar_config.h"
 #include "receiver/speckle/scatterer_row.h"
@@ -44,22 +45,26 @@ class ScattererLattice {
   [[nodiscard]] double bin_length() const { return bin_length_; }
   [[nodiscard]] double window() const { return window_; }
   [[nodiscard]] double turns_per_metre() const { return turns_per_metre_; }
+  [[nodiscard]] const RangeBins& ranges() const { return ranges_; }
+  [[nodiscard]] const LatticeShape& shape() const { return shape_; }
+
+  /// The lattice of a cell's bearing, seen from a sonar.
+  [[nodiscard]] LatticeAxes axes_of(int cell, const SpeckleView& view) const;
 
  private:
-  struct Axes;
   void divide(const SpeckleViews& views, ScattererRow& row) const;
-  [[nodiscard]] Axes axes_of(int cell, ScattererRow::Run& run) const;
   [[nodiscard]] int surface_end(int first, int last, BinRange filled, const ScattererRow& row) const;
-  void locate_surface(const Axes& axes, BinRange bins, bool level, ScattererRow& row) const;
-  void rescale(const Axes& axes, int bin, ScattererRow& row) const;
+  void locate_surface(const LatticeAxes& axes, BinRange bins, bool level, ScattererRow& row) const;
+  void rescale(const LatticeAxes& axes, int bin, ScattererRow& row) const;
 
   int bins_;
   double first_range_, bin_length_;  // True range of bin 0's middle, and true bin length [m].
   double window_, step_;             // [m]
   double cell_width_;                // Width of the narrowest cell [rad].
   double turns_per_metre_;           // Phase per metre of range, out and back [turns/m].
-  int smoothed_bins_;                // Half-width of the mean over elevations.
-  std::vector<double> azimuth_;      // [cell]: azimuth of the centre [rad].
+  RangeBins ranges_;                 // The same ranges.
+  LatticeShape shape_;
+  std::vector<double> azimuth_;  // [cell]: azimuth of the centre [rad].
   std::uint64_t seed_;
 };
 

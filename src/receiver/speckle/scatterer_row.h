@@ -2,12 +2,12 @@
 
 #pragma once
 
-#include <array>
 #include <complex>
 #include <cstdint>
 #include <vector>
 
 #include "echo/grid/echo_grid.h"
+#include "echo/laws/laws.h"
 #include "receiver/speckle/speckle_view.h"
 
 namespace insonify {
@@ -19,8 +19,8 @@ struct ScattererRow {
   struct Run {
     BinRange bins;
     const SpeckleView* view = nullptr;
-    std::array<std::uint32_t, 4> key{};  ///< Key of the random numbers.
-    float across_turns = 0;  ///< Phase per cell width of a scatterer's distance from the cell's middle [turns].
+    ScattererKey key = {};   ///< See LatticeAxes.
+    float across_turns = 0;  ///< The same.
   };
   BinRange bins;
   std::vector<Run> runs;  ///< Cover `bins`, in order.

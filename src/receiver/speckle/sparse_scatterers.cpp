@@ -8,7 +8,7 @@
 
 #include "base/philox.h"
 #include "echo/grid/echo.h"
-#include "receiver/speckle/scatterer_hash.h"
+#include "echo/laws/laws.h"
 
 namespace insonify {
 namespace {
@@ -30,7 +30,7 @@ ScattererWords words_of(const ScattererRow& row, const ScattererRow::Run& run, i
   const std::uint32_t purpose = static_cast<std::uint32_t>(RandomPurpose::kScatterers) << 24;
   const PhiloxPair words =
       philox({row.index[bin] + static_cast<std::uint32_t>(step), patch_hash(row.patch[bin], run.key)},
-             run.key[1] ^ (purpose + static_cast<std::uint32_t>(number)));
+             run.key.b ^ (purpose + static_cast<std::uint32_t>(number)));
   return {words[0], words[1]};
 }
 

@@ -7,18 +7,16 @@
 #include <cmath>
 
 #include "base/vector_math.h"
-#include "receiver/speckle/scatterer_hash.h"
+#include "echo/laws/laws.h"
 
 namespace insonify {
 namespace {
 
-// Constants of all bins of one run.
+// What all bins of one run share.
 struct RunPhases {
-  std::array<std::uint32_t, 4> key;
-  std::uint32_t first_turns, turns_per_bin;  // See Speckle.
-  float turns_per_window, across_turns;
-  float spread_share, turns_per_chance, spread_half;  // Spread over -half to half.
-  float bins_per_window, shared;
+  ScattererKey key;
+  SpeckleShape shape;
+  ScattererPhases phases;
 };
 
 // Input and output of a run, [bin]; fields [bin][real, imaginary].
@@ -39,51 +37,23 @@ struct BinField {
   float count = 0;
 };
 
-// Constants of all scatterers of a bin.
-struct BinWindow {
-  std::uint32_t index, name;
-  float begin, per_step,
-      near_end;  // Lower end of the window [steps]; windows per step; 1 if ranges fall with the index.
-  float near_turns;
-};
-
 template <bool kSpread, bool kShared>
-[[gnu::always_inline]] inline void add_scatterer(std::uint32_t i, const BinWindow& bin, const RunPhases& run,
+[[gnu::always_inline]] inline void add_scatterer(std::uint32_t i, const ScattererBin& bin, const RunPhases& run,
                                                  BinField& sum) {
-  const ScattererWords words = scatterer_words(bin.index + i, bin.name, run.key);
-  // Position from the window's near edge, 0 to 1 inside the window.
-  const float middle = bin.near_end + (static_cast<float>(i) + 0.5F - bin.begin) * bin.per_step;
-  const float place = middle + place_in_step(words) * bin.per_step;
-  const float inside = (middle < 0 ? 0.0F : 1.0F) * (middle < 1 ? 1.0F : 0.0F);
-  float turns = uniform_open(words.phase) + bin.near_turns + place * run.turns_per_window +
-                place_across(words) * run.across_turns;
-  if constexpr (kSpread) {
-    const float chance = spread_number(words);
-    turns += chance < run.spread_share ? chance * run.turns_per_chance - run.spread_half : 0.0F;
-  }
-  const float rest = turns - static_cast<float>(static_cast<std::int32_t>(turns));
-  const SineCosine phase = fast_sine_cosine(rest < 0 ? rest + 1 : rest);
-  const float amplitude = inside * std::sqrt(-fast_log(uniform_open(words.amplitude)));
-  const float real = amplitude * phase.cosine, imaginary = amplitude * phase.sine;
+  const ScattererEcho echo = scatterer_at(i, bin, run.key, run.phases, kSpread);
   if constexpr (kShared) {
-    const float off = (place - 0.5F) * run.bins_per_window;
-    const float after = off > 0 ? off : 0.0F, before = after - off, own = 1 - after - before;
-    sum.real += own * real;
-    sum.imaginary += own * imaginary;
-    sum.real_before += before * real;
-    sum.imaginary_before += before * imaginary;
-    sum.real_after += after * real;
-    sum.imaginary_after += after * imaginary;
+    const ScattererShares shares = scatterer_shares(echo.place, run.shape.bins_per_window);
+    sum.real += shares.own * echo.real;
+    sum.imaginary += shares.own * echo.imaginary;
+    sum.real_before += shares.before * echo.real;
+    sum.imaginary_before += shares.before * echo.imaginary;
+    sum.real_after += shares.after * echo.real;
+    sum.imaginary_after += shares.after * echo.imaginary;
   } else {
-    sum.real += real;
-    sum.imaginary += imaginary;
-    sum.count += inside;
+    sum.real += echo.real;
+    sum.imaginary += echo.imaginary;
+    sum.count += echo.inside;
   }
-}
-
-// 1 / count for 1 to 3; a division of sixteen numbers takes as long as sixteen multiplications.
-[[gnu::always_inline]] inline float share_of_count(float count) {
-  return count < 1.5F ? 1.0F : count < 2.5F ? 0.5F : 1.0F / 3;
 }
 
 // A window of at most 2.4 steps contains the middles of at most three, of at most 2 steps those of two.
@@ -96,21 +66,22 @@ template <int kMost, bool kSpread, bool kShared>
                                              float* __restrict__ after) {
   const RunPhases run = of_run;
   for (int bin = bins.first; bin < bins.last; ++bin) {
-    const std::uint32_t fixed = run.first_turns + static_cast<std::uint32_t>(bin) * run.turns_per_bin;
+    const std::uint32_t fixed = run.shape.first_turns + static_cast<std::uint32_t>(bin) * run.shape.turns_per_bin;
     const float per_step = 1 / length[bin];
-    const BinWindow window{.index = index[bin],
-                           .name = patch_hash(patch[bin], run.key),
-                           .begin = begin[bin],
-                           .per_step = per_step,
-                           .near_end = per_step < 0 ? 1.0F : 0.0F,
-                           .near_turns = static_cast<float>(static_cast<std::int32_t>(fixed >> 8)) * (1.0F / 16777216)};
+    const ScattererBin window{
+        .index = index[bin],
+        .name = patch_hash(patch[bin], run.key),
+        .begin = begin[bin],
+        .per_step = per_step,
+        .near_end = per_step < 0 ? 1.0F : 0.0F,
+        .near_turns = static_cast<float>(static_cast<std::int32_t>(fixed >> 8)) * (1.0F / 16777216)};
     BinField sum;
     add_scatterer<kSpread, kShared>(0, window, run, sum);
     add_scatterer<kSpread, kShared>(1, window, run, sum);
     if constexpr (kMost > 2) {
       add_scatterer<kSpread, kShared>(2, window, run, sum);
     }
-    const float intensity = kShared ? run.shared * std::abs(per_step) : share_of_count(sum.count);
+    const float intensity = kShared ? run.shape.shared * std::abs(per_step) : share_of_count(sum.count);
     const float scale = std::sqrt(energy[bin] * intensity);
     const std::ptrdiff_t at = std::ptrdiff_t{2} * bin;
     field[at] = scale * sum.real;
@@ -198,17 +169,18 @@ std::uint32_t fixed_point(double turns) {
 }  // namespace
 
 Speckle::Speckle(const ScattererLattice& lattice, const RangeResponse* range, CarrierSpread spread)
-    : first_turns_(fixed_point(lattice.turns_per_metre() * (lattice.first_range() - 0.5 * lattice.window()))),
-      turns_per_bin_(fixed_point(lattice.turns_per_metre() * lattice.bin_length())),
-      turns_per_window_(static_cast<float>(lattice.turns_per_metre() * lattice.window())),
-      bins_per_window_(static_cast<float>(lattice.window() / lattice.bin_length())),
-      shared_(range != nullptr && range->equivalent_cells() >= kLongPulse ? static_cast<float>(shared_intensity(*range))
-                                                                          : 0.0F),
-      spread_share_(static_cast<float>(spread.share)),
-      spread_turns_(static_cast<float>(lattice.turns_per_metre() * spread.length)) {}
+    : shape_{.first_turns = fixed_point(lattice.turns_per_metre() * (lattice.first_range() - 0.5 * lattice.window())),
+             .turns_per_bin = fixed_point(lattice.turns_per_metre() * lattice.bin_length()),
+             .turns_per_window = static_cast<float>(lattice.turns_per_metre() * lattice.window()),
+             .bins_per_window = static_cast<float>(lattice.window() / lattice.bin_length()),
+             .shared = range != nullptr && range->equivalent_cells() >= kLongPulse
+                           ? static_cast<float>(shared_intensity(*range))
+                           : 0.0F,
+             .spread_share = static_cast<float>(spread.share),
+             .spread_turns = static_cast<float>(lattice.turns_per_metre() * spread.length)} {}
 
 float Speckle::turns_before(int bin) const {
-  const std::uint32_t turns = first_turns_ + static_cast<std::uint32_t>(bin) * turns_per_bin_;
+  const std::uint32_t turns = shape_.first_turns + static_cast<std::uint32_t>(bin) * shape_.turns_per_bin;
   return static_cast<float>(turns >> 8) * (1.0F / 16777216.0F);
 }
 
@@ -222,19 +194,19 @@ void Speckle::draw(ScattererRow& row, std::span<const float> energy, std::span<s
                      .field = floats(field),
                      .before = floats(row.before),
                      .after = floats(row.after)};
-  const auto draw = shared_ > 0 ? draw_shared : spread_share_ > 0 ? draw_spread : draw_apart;
-  const auto draw_two = shared_ > 0 ? draw_two_shared : spread_share_ > 0 ? draw_two_spread : draw_two_apart;
+  const auto draw = shape_.shared > 0 ? draw_shared : shape_.spread_share > 0 ? draw_spread : draw_apart;
+  const auto draw_two = shape_.shared > 0         ? draw_two_shared
+                        : shape_.spread_share > 0 ? draw_two_spread
+                                                  : draw_two_apart;
   for (const ScattererRow::Run& run : row.runs) {
-    const RunPhases phases{.key = run.key,
-                           .first_turns = first_turns_,
-                           .turns_per_bin = turns_per_bin_,
-                           .turns_per_window = turns_per_window_,
-                           .across_turns = run.across_turns,
-                           .spread_share = spread_share_,
-                           .turns_per_chance = spread_share_ > 0 ? spread_turns_ / spread_share_ : 0.0F,
-                           .spread_half = 0.5F * spread_turns_,
-                           .bins_per_window = bins_per_window_,
-                           .shared = shared_};
+    const RunPhases phases{
+        .key = run.key,
+        .shape = shape_,
+        .phases = {.per_window = shape_.turns_per_window,
+                   .across = run.across_turns,
+                   .spread_share = shape_.spread_share,
+                   .per_chance = shape_.spread_share > 0 ? shape_.spread_turns / shape_.spread_share : 0.0F,
+                   .spread_half = 0.5F * shape_.spread_turns}};
     for (BinRange block{run.bins.first, 0}; block.first < run.bins.last; block.first = block.last) {
       block.last = std::min(block.first + kBlock, run.bins.last);
       (has_two(block, rows.length) ? draw_two : draw)(block, phases, rows);
@@ -244,20 +216,20 @@ void Speckle::draw(ScattererRow& row, std::span<const float> energy, std::span<s
 
 void Speckle::add(std::complex<float> echo, float place, int bin, ScattererRow& row,
                   std::span<std::complex<float>> field) const {
-  if (shared_ == 0) {
+  if (shape_.shared == 0) {
     field[bin] += echo;
     return;
   }
-  const float off = (place - 0.5F) * bins_per_window_, later = std::max(off, 0.0F), earlier = std::max(-off, 0.0F);
-  const std::complex<float> shared = std::sqrt(shared_) * echo;
-  field[bin] += (1 - later - earlier) * shared;
-  row.before[bin] += earlier * shared;
-  row.after[bin] += later * shared;
+  const ScattererShares shares = scatterer_shares(place, shape_.bins_per_window);
+  const std::complex<float> shared = std::sqrt(shape_.shared) * echo;
+  field[bin] += shares.own * shared;
+  row.before[bin] += shares.before * shared;
+  row.after[bin] += shares.after * shared;
 }
 
 // At the ends of the row, the shares outside it are added to the bin itself.
 void Speckle::share(const ScattererRow& row, std::span<std::complex<float>> field) const {
-  if (shared_ == 0 || row.bins.empty()) {
+  if (shape_.shared == 0 || row.bins.empty()) {
     return;
   }
   const int first = row.bins.first, last = row.bins.last - 1;

@@ -43,14 +43,11 @@ class Speckle {
 
   /// Phase at the near edge of a bin's window, and over its length [turns].
   [[nodiscard]] float turns_before(int bin) const;
-  [[nodiscard]] float turns_across() const { return turns_per_window_; }
+  [[nodiscard]] float turns_across() const { return shape_.turns_per_window; }
+  [[nodiscard]] const SpeckleShape& shape() const { return shape_; }
 
  private:
-  std::uint32_t first_turns_, turns_per_bin_;  // [2^-32 turns]
-  float turns_per_window_;
-  float bins_per_window_;
-  float shared_;                       // Factor on the intensity of shared scatterers; 0 if scatterers are not shared.
-  float spread_share_, spread_turns_;  // See CarrierSpread.
+  SpeckleShape shape_;
 };
 
 }  // namespace insonify

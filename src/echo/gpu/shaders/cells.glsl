@@ -84,12 +84,6 @@ int beam_of(PlanTables plan, float bearing) {
   return bearing <= port.at[beam] && bearing > starboard.at[beam] ? beam : -1;
 }
 
-// An Echo, see echo.h.
-struct SpreadEcho {
-  float azimuth, elevation, path_length, half_length, power, weight;
-  uint order, surface;
-};
-
 // Adds a secondary echo, spread about half of its path length, to the beam it arrives in.
 void add_echo(PlanTables plan, Cells cells, SpreadEcho echo) {
   const int beam = beam_of(plan, echo.azimuth);

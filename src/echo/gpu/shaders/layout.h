@@ -42,6 +42,12 @@ SHARED int kTreeStack = 40;
 /// Most surfaces that sound passes through on the way to an echo, see see_through.h.
 SHARED uint kMostPassed = 8U;
 
+/// Beams of a block of gains: GainMatrix::kBlockBeams.
+SHARED uint kGainBeams = 8U;
+
+/// Bins of a block of noise: kTileBins.
+SHARED uint kNoiseBlock = 64U;
+
 /// SecondarySampling
 SHARED uint kSampleNone = 0U, kSampleSome = 1U, kSampleAll = 2U;
 
@@ -240,6 +246,81 @@ struct Reflecting {
   float selected;  ///< How many hits it stands for.
 };
 
+/// A GainTable of the host: gains of kGainBeams beams for each row, in blocks of beams.
+struct Gains {
+  address gains;  ///< float[block][row][kGainBeams]; 0: none.
+  address bands;  ///< uint[block][2] First row, and last + 1.
+};
+struct GainsOfZone {
+  uint end;  ///< Bin.
+  Gains in_phase, quadrature;
+};
+
+/// What FlatReceiver holds, see there.
+struct ReceiverTables {
+  uint cells, bins, beams, cells_per_beam;
+  float first_range, bin_length;                                ///< RangeBins
+  float window_share, layers_per_step, jump, jump_angle;        ///< LatticeShape
+  int smoothed_bins;                                            ///< The same.
+  uint first_turns, turns_per_bin;                              ///< SpeckleShape
+  float turns_per_window, bins_per_window, shared_intensity;    ///< The same.
+  float spread_share, turns_per_chance, spread_half;            ///< ScattererPhases
+  uint has_pulse, shares_compact;
+  float look_share, look_pairs;
+  int first_tap;
+  uint tap_count, zone_count, noise_rows, noise_tap_count;
+  uint seed[2];
+  address first_cells;  ///< uint[beam]
+  address volume;       ///< float[bin]; 0: none.
+  address cell_angle;   ///< float[cell]
+  address taps, noise_taps;
+  address zones;  ///< GainsOfZone[]; 0: beams are cells.
+  Gains noise_gains;
+};
+
+/// LatticeAxes of the host.
+struct BearingLattice {
+  double ahead, up;
+  uint key[4];
+  float across_turns;
+  float ahead_level, ahead_normal, up_level, up_normal;
+  uint ahead_whole;
+  float ahead_rest, ahead_in_layers;
+  int ahead_layer;
+  uint up_whole;
+  float up_rest, up_in_layers;
+  int up_layer;
+};
+
+/// An Echo of the host, see echo.h.
+struct SpreadEcho {
+  float azimuth, elevation, path_length, half_length, power, weight;
+  uint order, surface;
+};
+
+/// Where a ping is received. What is [cell] has the rows of cells that the array forms beams from.
+struct ReceptionAt {
+  address tables;     ///< ReceiverTables; 0: the host receives.
+  address axes;       ///< BearingLattice[frame][cell]: frame 0 is the world, the others are moved objects.
+  address instances;  ///< uint[frame - 1]
+  address deviation;  ///< float[beam] Of the noise.
+  address echoes;     ///< SpreadEcho[] of sources.
+  uint echo_count, frames;
+  uint number[2];  ///< Of the ping.
+  // Between the steps:
+  address energy;                ///< float[cell][bin]
+  address elevation, smoothed;   ///< float[cell][bin] Of the surface; smoothed once.
+  address segment;               ///< uint[cell][bin] The bins of one surface: first | end << 16.
+  address field;                 ///< vec2[cell][bin]
+  address before, after;         ///< vec2[cell][bin] What scatterers share with other bins; 0: nothing.
+  address pulsed;                ///< vec2[cell][bin] The field after the pulse.
+  address white, noise;          ///< float[row][part][...]: the noise before and after its filter, see draw_noise.
+  // What the host reads:
+  address beams;            ///< vec2[beam][bin]
+  address surface;          ///< uint[beam][bin]
+  address label_elevation;  ///< float[beam][bin]
+};
+
 /// A ping of a batch.
 struct PingAt {
   address plan;            ///< PlanTables
@@ -252,6 +333,7 @@ struct PingAt {
   Cells cells;
   GridLayers layers;
   address reflecting;  ///< Reflecting[columns * rows]
+  ReceptionAt reception;
 };
 
 /// How many groups compute what lies behind one more surface, of the kernels that work through tiles of samples,
@@ -268,6 +350,7 @@ struct PingJob {
   uint most_groups;    ///< In one row of groups.
   address next_layer;  ///< LayerGroups; 0: no ray is continued behind what it hits.
   uint layer;          ///< How many surfaces sound has passed.
+  uint smoothed;       ///< How often elevations have been smoothed.
 };
 
 #undef SHARED

@@ -1,0 +1,63 @@
+// calibrated_reception.cpp -- the steps of a CalibratedReceiver that engines can do where the echoes are, as tables.
+
+#include "receiver/calibrated_receiver.h"
+
+namespace insonify {
+
+bool CalibratedReceiver::is_flat() const {
+  constexpr int kMostBins = 65535;  // Numbers of bins have 16 bits.
+  return speckle_ && !clutter_->any() && !sparse_->any() && !shift_ && !keeps_looks_ && bins_ <= kMostBins &&
+         (!bearing_ || bearing_->keeps_all());
+}
+
+FlatReceiver CalibratedReceiver::flattened() const {
+  FlatReceiver flat = {.cells = cells_,
+                       .bins = bins_,
+                       .beams = beams_,
+                       .cells_per_beam = cells_per_beam_,
+                       .first_cells = first_cells_,
+                       .volume = volume_,
+                       .cell_angle = cell_angle_,
+                       .ranges = lattice_->ranges(),
+                       .lattice = lattice_->shape(),
+                       .speckle = speckle_->shape(),
+                       .seed = philox_key(seed_)};
+  if (range_) {
+    flat.has_pulse = true;
+    flat.look_share = coarse_->share();
+    flat.look_pairs = coarse_->pairs();
+    flat.shares_compact = coarse_->shares_compact();
+    flat.first_tap = range_->first_tap();
+    flat.taps.assign(range_->amplitudes().begin(), range_->amplitudes().end());
+  }
+  if (bearing_) {
+    flat.zones = bearing_->zones();
+  }
+  if (noise_ && !channels_ && !thrusters_) {
+    flat.noise_rows = noise_->rows();
+    flat.noise_taps = noise_->taps();
+    flat.noise_gains = noise_->gains();
+  }
+  return flat;
+}
+
+void CalibratedReceiver::aim(std::span<const DisplacedInstance> displaced, const Pose& world_from_sonar,
+                             Reception& reception) {
+  reception.receiver = flat_;
+  reception.axes.clear();
+  reception.instances.clear();
+  views_.set(world_from_sonar, displaced);
+  const auto add_axes = [&](const SpeckleView& view) {
+    for (int cell = 0; cell < cells_; ++cell) {
+      reception.axes.push_back(lattice_->axes_of(cell, view));
+    }
+  };
+  add_axes(views_.world);
+  for (const SpeckleViews::OfObject& object : views_.objects) {
+    add_axes(object.view);
+    reception.instances.push_back(object.instance);
+  }
+  set_noise_levels(world_from_sonar, reception.noise_deviation);
+}
+
+}  // namespace insonify
