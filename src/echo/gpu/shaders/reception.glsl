@@ -17,6 +17,11 @@ Filled filled_bins(GridLayers layers, uint cell, uint bins) {
   return Filled(last == 0 ? 0 : bins - Uints(layers.used).at[2 * cell], last);
 }
 
+// The bins of a cell in which there are scatterers: CalibratedReceiver::filled_bins().
+Filled drawn_bins(ReceiverTables tables, GridLayers layers, uint cell) {
+  return tables.volume != 0 ? Filled(0, tables.bins) : filled_bins(layers, cell, tables.bins);
+}
+
 // The frame in which the scatterers of a surface are fixed: 0 for the world.
 uint frame_of(ReceptionAt reception, uint surface) {
   uint frame = 0;

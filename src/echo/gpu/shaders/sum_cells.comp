@@ -16,7 +16,7 @@ struct Row {
   PingAt ping;
   ReceiverTables tables;
   uint start;  // Of the row in tables.
-  Filled filled;
+  Filled filled, drawn;
 };
 
 float elevation_at(Row row, uint bin) {
@@ -34,7 +34,7 @@ uint frame_at(Row row, uint bin) {
 
 // Whether a surface begins at a bin: ScattererLattice::surface_end() and divide().
 bool begins_at(Row row, uint bin) {
-  if (bin == 0 || (row.ping.reception.frames > 1 && frame_at(row, bin) != frame_at(row, bin - 1))) {
+  if (bin == 0 || bin == row.drawn.first || bin == row.drawn.last || (row.ping.reception.frames > 1 && frame_at(row, bin) != frame_at(row, bin - 1))) {
     return true;
   }
   if (row.filled.last == 0 || bin < row.filled.first || bin > row.filled.last) {
@@ -73,6 +73,7 @@ void main() {
   }
   row.start = cell * bins;
   row.filled = filled_bins(ping.layers, cell, bins);
+  row.drawn = drawn_bins(row.tables, ping.layers, cell);
   const uint lane = gl_LocalInvocationIndex, length = (bins + kGroup - 1) / kGroup;
   const uint from = min(lane * length, bins), to = min(from + length, bins);
   float hit = 0.0;

@@ -1,0 +1,124 @@
+// gpu_reception_test.cpp -- what a card receives itself are the pings that the host makes of the same cells. With full
+// ground truth the host receives, so that both ways are there for one scenario.
+
+#include "simulator/crossing.h"
+
+namespace insonify::gpu_reception_test {
+namespace {
+
+using namespace testing_scenes;
+
+// Sum of the differences over the sum of the intensities: places of scatterers are rounded in another order, and 1e-5
+// of a step is 1e-3 of their phase.
+constexpr double kRounding = 5e-4;
+
+struct Case {
+  const char* name;
+  void (*change)(Scenario&);
+  bool on_device = true;
+};
+
+class GpuReceptionTest : public testing::TestWithParam<Case> {
+ protected:
+  void SetUp() override {
+    if (std::ranges::find(usable_engines(), "gpu") == usable_engines().end()) {
+      GTEST_SKIP() << "no device of Vulkan here";
+    }
+  }
+};
+
+bool received_on_device(const Simulator& simulator) {
+  return std::ranges::any_of(simulator.step_times(), [](const StepTime& time) { return time.step == "form_beams"; });
+}
+
+Scenario scenario_of(const Case& of, GroundTruth truth) {
+  Scenario scenario = crossing_scenario(kTwo, "gpu");
+  scenario.ground_truth = truth;
+  of.change(scenario);
+  return scenario;
+}
+
+TEST_P(GpuReceptionTest, GivesThePingsOfTheHostsReceiver) {
+  const Scene scene = crossing_scene(0);
+  Simulator device(scenario_of(GetParam(), GroundTruth::kLabels), scene, 2, crossing_objects());
+  Simulator host(scenario_of(GetParam(), GroundTruth::kFull), scene, 2, crossing_objects());
+  CrossingOrders received(device.scenario(), kMoved), expected(host.scenario(), kMoved);
+  device.ping(received.orders);
+  EXPECT_EQ(received_on_device(device), GetParam().on_device);
+  host.ping(expected.orders);
+  EXPECT_FALSE(received_on_device(host));
+  for (std::size_t i = 0; i < received.pings.size(); ++i) {
+    SCOPED_TRACE(testing::Message() << "ping " << i);
+    EXPECT_LE(apart(expected.pings[i], received.pings[i]), kRounding);
+    EXPECT_EQ(received.pings[i].instance, expected.pings[i].instance);
+    EXPECT_EQ(received.pings[i].material, expected.pings[i].material);
+    for (std::size_t bin = 0; bin < expected.pings[i].elevation.size(); ++bin) {
+      const float one = received.pings[i].elevation[bin], other = expected.pings[i].elevation[bin];
+      ASSERT_TRUE((std::isnan(one) && std::isnan(other)) || std::abs(one - other) < 1e-5F) << bin;
+    }
+  }
+}
+
+constexpr Case kCases[] = {{"Plain", [](Scenario&) {}},
+                           {"Silent", [](Scenario& of) { of.receiver.noise = false; }},
+                           {"NoPulse", [](Scenario& of) { of.receiver.pulse = PulseKind::kNone; }},
+                           {"LongPulse",  // Scatterers are shared between bins.
+                            [](Scenario& of) {
+                              of.receiver.pulse = PulseKind::kCw;
+                              of.receiver.pulse_duration = 6e-4;
+                            }},
+                           {"ChirpOfCoarseBins",
+                            [](Scenario& of) {
+                              of.receiver.pulse = PulseKind::kLfm;
+                              of.receiver.pulse_duration = 1e-3;
+                              of.receiver.decimation = Decimation::kSample;
+                            }},
+                           {"TopHat",  // Beams are cells.
+                            [](Scenario& of) { of.receiver.azimuth_pattern = BeamPattern::kTopHat; }},
+                           {"FaultyArray",  // Complex gains.
+                            [](Scenario& of) {
+                              of.receiver.elements = 48;
+                              of.receiver.element_error = 0.2;
+                              of.receiver.dead_elements = {3, 17};
+                            }},
+                           {"OutOfFocus",
+                            [](Scenario& of) {
+                              of.sonars[0].focus_range = 6;
+                              of.sonars[1].focus_range = 4;
+                            }},
+                           {"VolumeAndNoiseOfTheSurface",
+                            [](Scenario& of) {
+                              of.water.volume_backscatter_db = -55;
+                              of.receiver.surface_noise = true;
+                              of.receiver.wind_noise = 12;
+                            }},
+                           {"Crosstalk",  // The host adds the noise.
+                            [](Scenario& of) {
+                              of.sonars[0].crosstalk_db = -30;
+                              of.sonars[0].missing_beams = {2};
+                            }},
+                           {"Thrusters",
+                            [](Scenario& of) {
+                              of.thrusters = {{.position = {0.6, 0.3, 0}}};
+                            }},
+                           {"SourcesOfEchoes",
+                            [](Scenario& of) {
+                              of.random_walks = 150;
+                              of.points = {{.position = {6, 1, -0.5}, .target_strength_db = -20}};
+                            }},
+                           {"Head", [](Scenario& of) { of.sonars.push_back(scanning_head()); }},
+                           {"Motion", [](Scenario& of) { of.motion_in_ping = true; }, false},
+                           {"Looks",  // Bins that keep the greatest of several looks.
+                            [](Scenario& of) {
+                              of.receiver.pulse = PulseKind::kCw;
+                              of.receiver.pulse_duration = 2e-5;
+                              of.receiver.decimation = Decimation::kPeak;
+                            },
+                            false},
+                           {"NoSpeckle", [](Scenario& of) { of.receiver.speckle = false; }, false}};
+
+INSTANTIATE_TEST_SUITE_P(Cases, GpuReceptionTest, testing::ValuesIn(kCases),
+                         [](const auto& test) { return test.param.name; });
+
+}  // namespace
+}  // namespace insonify::gpu_reception_test
