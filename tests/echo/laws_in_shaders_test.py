@@ -19,6 +19,9 @@ FUNCTION = re.compile(r"^LAW (\w+) (\w+)\(([^)]*)\) {", re.MULTILINE)
 # What C++ reads the laws through.
 FOR_CPP = {"all.h", "laws.h"}
 
+# What a shader includes with Real as double, where it needs it.
+IN_DOUBLES = ["echo/laws/window_rung.h"]
+
 
 def ordered_headers():
     """The headers that all.h names, after those that they use; the first is the prelude."""
@@ -64,7 +67,8 @@ class LawsInShadersTest(unittest.TestCase):
                 self.assertEqual(errors_of(shader(headers[: last + 1], functions)), "")
 
     def test_a_shader_includes_all_of_them_at_once(self):
-        functions = [function for header in ordered_headers()[1:] for function in functions_of(header)]
+        headers = [header for header in ordered_headers()[1:] if header not in IN_DOUBLES]
+        functions = [function for header in headers for function in functions_of(header)]
         self.assertEqual(errors_of(shader(["echo/laws/all.h"], functions)), "")
 
     def test_what_is_not_in_the_common_subset_is_found(self):

@@ -44,8 +44,8 @@ LAW Real spread_number(ScattererWords words) {
   return uniform_open(mixed(words.amplitude ^ (words.phase * 0x9E3779B9U)));
 }
 
-/// Windows have kShortestWindow to kShortestWindow x kWindowLadder steps. Where the lattice would give fewer or more, one
-/// with steps kWindowLadder^n as long is used.
+/// Windows have kShortestWindow to kShortestWindow x kWindowLadder steps. Where the lattice would give fewer or more,
+/// one with steps kWindowLadder^n as long is used.
 CONSTANT Real kShortestWindow = REAL(1.5);
 CONSTANT Real kWindowLadder = REAL(1.6);
 
@@ -112,8 +112,8 @@ LAW ScattererWindow scatterer_window(LatticePoint near, LatticePoint far, Lattic
   const bool rises = abs(rise) > abs(along);
   const Real extent = rises ? share * rise : share * along;
   const Real middle = rises ? up.rest + middle_up : ahead.rest + middle_ahead;
-  const Real off = rises ? ahead.in_layers + middle_ahead * layers_per_step
-                         : up.in_layers + middle_up * layers_per_step;
+  const Real off =
+      rises ? ahead.in_layers + middle_ahead * layers_per_step : up.in_layers + middle_up * layers_per_step;
   const int layer = rises ? ahead.layer : up.layer;
   const uint whole = rises ? up.whole : ahead.whole;
   const uint direction = rises ? 1U : 0U;
@@ -158,8 +158,8 @@ LAW ScattererEcho scatterer_at(uint i, ScattererBin bin, ScattererKey key, Scatt
   const Real middle = bin.near_end + (Real(i) + REAL(0.5) - bin.begin) * bin.per_step;
   const Real place = middle + place_in_step(words) * bin.per_step;
   const Real inside = (middle < 0 ? REAL(0.0) : REAL(1.0)) * (middle < 1 ? REAL(1.0) : REAL(0.0));
-  const Real steady = uniform_open(words.phase) + bin.near_turns + place * phases.per_window +
-                      place_across(words) * phases.across;
+  const Real steady =
+      uniform_open(words.phase) + bin.near_turns + place * phases.per_window + place_across(words) * phases.across;
   const Real chance = spread ? spread_number(words) : REAL(1.0);
   const Real turns =
       spread ? steady + (chance < phases.spread_share ? chance * phases.per_chance - phases.spread_half : REAL(0.0))

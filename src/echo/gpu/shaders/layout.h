@@ -259,12 +259,12 @@ struct GainsOfZone {
 /// What FlatReceiver holds, see there.
 struct ReceiverTables {
   uint cells, bins, beams, cells_per_beam;
-  float first_range, bin_length;                                ///< RangeBins
-  float window_share, layers_per_step, jump, jump_angle;        ///< LatticeShape
-  int smoothed_bins;                                            ///< The same.
-  uint first_turns, turns_per_bin;                              ///< SpeckleShape
-  float turns_per_window, bins_per_window, shared_intensity;    ///< The same.
-  float spread_share, turns_per_chance, spread_half;            ///< ScattererPhases
+  float first_range, bin_length;                              ///< RangeBins
+  float window_share, layers_per_step, jump, jump_angle;      ///< LatticeShape
+  int smoothed_bins;                                          ///< The same.
+  uint first_turns, turns_per_bin;                            ///< SpeckleShape
+  float turns_per_window, bins_per_window, shared_intensity;  ///< The same.
+  float spread_share, turns_per_chance, spread_half;          ///< ScattererPhases
   uint has_pulse, shares_compact;
   float look_share, look_pairs;
   int first_tap;
@@ -308,13 +308,13 @@ struct ReceptionAt {
   uint echo_count, frames;
   uint number[2];  ///< Of the ping.
   // Between the steps:
-  address energy;                ///< float[cell][bin]
-  address elevation, smoothed;   ///< float[cell][bin] Of the surface; smoothed once.
-  address segment;               ///< uint[cell][bin] The bins of one surface: first | end << 16.
-  address field;                 ///< vec2[cell][bin]
-  address before, after;         ///< vec2[cell][bin] What scatterers share with other bins; 0: nothing.
-  address pulsed;                ///< vec2[cell][bin] The field after the pulse.
-  address white, noise;          ///< float[row][part][...]: the noise before and after its filter, see draw_noise.
+  address energy;               ///< float[cell][bin]
+  address elevation, smoothed;  ///< float[cell][bin] Of the surface; smoothed once.
+  address segment;              ///< uint[cell][bin] The bins of one surface: first | end << 16.
+  address field;                ///< vec2[cell][bin]
+  address before, after;        ///< vec2[cell][bin] What scatterers share with other bins; 0: nothing.
+  address pulsed;               ///< vec2[cell][bin] The field after the pulse.
+  address white, noise;         ///< float[row][part][...]: the noise before and after its filter, see draw_noise.
   // What the host reads:
   address beams;            ///< vec2[beam][bin]
   address surface;          ///< uint[beam][bin]
