@@ -22,11 +22,11 @@ pack() {
   trap 'rm -rf "$root"' EXIT
   mkdir -p "$root/gpu/lib"
   cp "$here/gpu.sh" "$root/gpu/"
-  cp "$build/insonify" "$build/tests/engines_tests" "$root/gpu/"
+  cp "$build/insonify" "$build/tests/engines_tests" "$build/tests/simulator_tests" "$root/gpu/"
   cp -L "$(ldconfig -p | awk '/libvulkan\.so\.1 / {path = $NF} END {print path}')" "$root/gpu/lib/"
-  ldd "$build/insonify" "$build/tests/engines_tests" | awk '$2 == "=>" && $3 ~ /^\// {print $3}' | sort -u |
+  ldd "$build/insonify" "$build"/tests/{engines,simulator}_tests | awk '$2 == "=>" && $3 ~ /^\// {print $3}' | sort -u |
     grep -vE "$own" | xargs -I{} cp -L {} "$root/gpu/lib/"
-  strip --strip-unneeded "$root"/gpu/lib/* "$root/gpu/insonify" "$root/gpu/engines_tests"
+  strip --strip-unneeded "$root"/gpu/lib/* "$root/gpu/insonify" "$root/gpu/engines_tests" "$root/gpu/simulator_tests"
   tar -C "$root" -cJf "$archive" gpu
   echo "$archive: $(du -h "$archive" | cut -f1)"
 }
@@ -44,14 +44,18 @@ if [[ ${1:-} == --pack ]]; then
   exit
 fi
 if [[ -x $here/insonify ]]; then
-  program=$here/insonify tests=$here/engines_tests
+  program=$here/insonify tests=$here
   export LD_LIBRARY_PATH=$here/lib
 else
-  program=$here/../build/release/insonify tests=$here/../build/release/tests/engines_tests
+  program=$here/../build/release/insonify tests=$here/../build/release/tests
 fi
 find_driver
 "$program" version
 device=${INSONIFY_DEVICE:-0}
 read -ra triangles <<<"${INSONIFY_GPU_TRIANGLES:-1000 100000 1000000 10000000}"
-INSONIFY_DEVICE=$device "$tests" --gtest_brief=1 --gtest_filter='*gpu*:GpuEngine*:EngineKindTest.*' || [[ $? == 77 ]]  # Some were skipped.
+run_tests() {
+  INSONIFY_DEVICE=$device "$tests/$1" --gtest_brief=1 --gtest_filter="$2" || [[ $? == 77 ]]  # Some were skipped.
+}
+run_tests engines_tests '*gpu*:GpuEngine*:EngineKindTest.*'
+run_tests simulator_tests '*Gpu*'
 "$program" bench device --device "$device" --triangles "${triangles[@]}" --json "$here/gpu.json" | tee "$here/gpu.txt"
