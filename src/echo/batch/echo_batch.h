@@ -50,7 +50,7 @@ class EchoBatch {
   /// Passes each view's echoes to the receiver: the first views while a device still computes the last.
   virtual void receive(EchoReceiver& receiver) = 0;
 
-  /// The grid of one view, without echoes of sources, to be read on the host until the next call.
+  /// The grid of one view without a Reception, without echoes of sources, to be read on the host until the next call.
   [[nodiscard]] virtual const EchoGrid& map(std::size_t view) = 0;
 
   /// Rays that were traced for one view, when it has been received.

@@ -41,6 +41,11 @@ inline double fast_log(double x) {
   return std::log(x);
 }
 
+// Of base/philox.h.
+inline double uniform_open(std::uint32_t word) {
+  return double{insonify::uniform_open(word)};
+}
+
 using Real = double;
 #define REAL(literal) literal
 #include "echo/laws/all.h"
