@@ -88,7 +88,7 @@ constexpr Case kCases[] = {{"Plain", [](Scenario&) {}},
                             }},
                            {"VolumeAndNoiseOfTheSurface",
                             [](Scenario& of) {
-                              of.water.volume_backscatter_db = -55;
+                              of.water.volume_backscatter_db = -20;
                               of.receiver.surface_noise = true;
                               of.receiver.wind_noise = 12;
                             }},
