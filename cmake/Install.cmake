@@ -10,6 +10,7 @@ if(TARGET insonify_sdf)
 endif()
 install(TARGETS insonify_reader RUNTIME DESTINATION ${reader_folder} COMPONENT library)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/presets DESTINATION ${CMAKE_INSTALL_DATADIR}/insonify COMPONENT library)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/share/licences DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/insonify COMPONENT library)
 
 set(config_folder ${CMAKE_INSTALL_LIBDIR}/cmake/insonify)
 install(EXPORT insonifyTargets NAMESPACE insonify:: DESTINATION ${config_folder} COMPONENT development)

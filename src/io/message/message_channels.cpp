@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "io/message/ros1_texts.h"
+
 namespace insonify {
 namespace {
 
@@ -154,6 +156,16 @@ void collect(std::string_view type, MessageForm form, std::vector<std::string_vi
   }
 }
 
+// A type's part of a definition. An empty line follows it in ROS 1.
+std::string text_of(std::string_view type, MessageForm form) {
+  const std::string_view fields = find(type, form)->second;
+  if (form != MessageForm::kRos1) {
+    return std::string(fields);
+  }
+  const std::string_view text = ros1_text(type);
+  return std::string(text.empty() ? fields : text) + "\n";
+}
+
 std::string_view gazebo_type(MessageKind kind) {
   switch (kind) {
     case MessageKind::kPoints:
@@ -182,9 +194,12 @@ std::string message_definition(std::string_view type, MessageForm form) {
   assert(find(type, form) != nullptr);
   std::vector<std::string_view> types;
   collect(type, form, types);
-  std::string text(find(type, form)->second);
-  for (std::size_t i = 1; i < types.size(); ++i) {
-    text.append(80, '=').append("\nMSG: ").append(types[i]).append("\n").append(find(types[i], form)->second);
+  std::string text;
+  for (const std::string_view each : types) {
+    if (!text.empty()) {
+      text.append(80, '=').append("\nMSG: ").append(each).append("\n");
+    }
+    text.append(text_of(each, form));
   }
   return text;
 }

@@ -4,9 +4,12 @@
 recording_test.py INSONIFY
 """
 
+import pathlib
+import re
 import subprocess
 
 import ros1_kit as kit
+import genpy.message
 from std_msgs.msg import String
 
 try:
@@ -88,6 +91,21 @@ class RecordingTest(kit.MasterTest):
             "/insonify/pose": ("geometry_msgs/PoseStamped", PINGS), "/tf": ("tf2_msgs/TFMessage", PINGS)})
         _, image, _ = next(self.bag.read_messages("/insonify/image", raw=True))
         self.assertEqual(image[2], "c72fc8e29ab227a547720a36666022fd")
+
+    # A machine without marine_acoustic_msgs has nothing to compare them with.
+    def test_rosbag_check_finds_nothing_to_migrate(self):
+        for bag in ("x.bag", "expected.bag"):
+            checked = subprocess.run(["rosbag", "check", bag], cwd=kit.FOLDER, check=False, capture_output=True, text=True)
+            self.assertEqual(set(re.findall(r"(?m)^ \* From: (\S+)", checked.stdout)) - {"marine_acoustic_msgs/ProjectedSonarImage"},
+                             set(), checked.stdout)
+
+    def test_texts_of_definitions_are_those_of_ros(self):
+        source = (pathlib.Path(__file__).resolve().parents[3] / "src/io/message/ros1_texts.cpp").read_text()
+        texts = re.findall(r'\{"(\S+)", R"\((.*?)\)"\}', source, re.DOTALL)
+        self.assertEqual(len(texts), 13)
+        for name, text in texts:
+            of_ros = genpy.message.get_message_class(name)._full_text.split("=" * 80)[0]
+            self.assertEqual(text.strip(), of_ros.strip(), name)
 
     # The level of a cell, 10 log10(intensity) + 30 log10(range), from -100 to -40 dB.
     def test_values_are_those_of_the_hdf5_recording(self):
