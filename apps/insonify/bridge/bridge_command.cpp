@@ -22,7 +22,7 @@ std::filesystem::path folder_of_this_program() {
 
 // Becomes the program insonify-bridge-NAME, that beside this one or else the first on PATH.
 // @param words  Its arguments.
-// @throws Error if it was not built, or cannot be run.
+// @throws Error if it is not installed, or cannot be run.
 [[noreturn]] void become_bridge(const BridgeKind& kind, std::vector<std::string> words) {
   const std::string name = fmt::format("insonify-bridge-{}", kind.name);
   const std::string beside = folder_of_this_program() / name;
@@ -43,7 +43,8 @@ std::filesystem::path folder_of_this_program() {
     throw Error(fmt::format("{}: cannot run it: {}", tried, std::generic_category().message(errno)));
   }
   throw Error(
-      fmt::format("bridge {} was not built. `./dev bridges` installs what it needs and builds it; its packages are {}",
+      fmt::format("bridge {0} is not installed. It is the Debian package insonify-{0} (./dev package); in the source, "
+                  "`./dev bridges` installs what it needs and builds it: {1}",
                   kind.name, kind.packages));
 }
 
