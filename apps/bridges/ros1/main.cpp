@@ -75,13 +75,15 @@ int run(const BridgeRequest& given, int& argc, char** argv) {
   const BridgeRequest& request = parameters.request;
   BridgeOptions options = request.bridge;
   options.messages.raw = options.messages.live = true;
-  options.live.driven = !request.odometry.empty() || !request.tf.empty();
-  options.live.clocked = is_simulated(request.clock);
+  options.live.on_request = options.lossless = !request.ping_at.empty();
+  options.live.driven = options.live.on_request || !request.odometry.empty() || !request.tf.empty();
+  options.live.clocked = !options.live.on_request && is_simulated(request.clock);
 
   RosTransport transport(parameters.transforms);
   Bridge bridge(options, transport, MessageForm::kRos1);
   RosInputs inputs({.odometry = request.odometry,
                     .tf = request.tf,
+                    .ping_at = request.ping_at,
                     .world_frame = options.messages.world_frame,
                     .clock = options.live.clocked},
                    bridge.loop());

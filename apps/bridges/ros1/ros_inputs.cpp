@@ -31,10 +31,13 @@ RosInputs::RosInputs(const RosInputOptions& options, LiveLoop& loop) : options_(
 }
 
 void RosInputs::start() {
+  const auto take = [this](const RosPlace& place) { take_pose(place); };
   const auto drive_to = [this](const RosPlace& place) { drive(place); };
   if (!options_.odometry.empty()) {
-    const auto take = [this](const RosPlace& place) { take_odometry(place); };
     missed_.push_back({subscribe_odometry(node_, options_.odometry, take), "nav_msgs/Odometry"});
+  }
+  if (!options_.ping_at.empty()) {  // Whoever asks may come and go.
+    asked_ = subscribe_poses(node_, options_.ping_at, take);
   }
   if (!options_.tf.empty()) {
     frames_ = std::make_unique<RosFrames>(node_, options_.world_frame, options_.tf, drive_to);
@@ -53,12 +56,13 @@ void RosInputs::end() {
   spinner_.stop();
 }
 
-void RosInputs::take_odometry(const RosPlace& place) {
+void RosInputs::take_pose(const RosPlace& place) {
   if (!place.frame.empty() && place.frame != options_.world_frame && !warned_of_frame_) {
-    complain(fmt::format(
-        "{}: its poses are in the frame {}; they are taken for poses in the world's, {} "
-        "(--world-frame {} names it so)",
-        options_.odometry, printable(place.frame), printable(options_.world_frame), printable(place.frame)));
+    complain(
+        fmt::format("{}: its poses are in the frame {}; they are taken for poses in the world's, {} "
+                    "(--world-frame {} names it so)",
+                    options_.odometry + options_.ping_at, printable(place.frame), printable(options_.world_frame),
+                    printable(place.frame)));
     warned_of_frame_ = true;
   }
   drive(place);
@@ -80,7 +84,7 @@ void RosInputs::drive(const RosPlace& place) {
                  .twist = {pose.orientation * place.linear, pose.orientation * place.angular},
                  .stamp = place.stamp != 0 || options_.clock ? place.stamp : unix_time()});
   } catch (const Error& error) {
-    refusal = fmt::format("{}: {}", frames_ ? "/tf" : options_.odometry, error.what());
+    refusal = fmt::format("{}: {}", frames_ ? "/tf" : options_.odometry + options_.ping_at, error.what());
   }
   if (!refusal.empty() && refusal_.empty()) {  // Once, not for every message.
     complain(refusal);

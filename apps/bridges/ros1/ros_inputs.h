@@ -21,6 +21,7 @@ namespace insonify {
 struct RosInputOptions {
   std::string odometry = {};     ///< Topic; "": none.
   std::string tf = {};           ///< Frame of the vehicle; "": none.
+  std::string ping_at = {};      ///< Topic of poses with a ping each; "": none.
   std::string world_frame = {};  ///< Frame in which the vehicle's pose is looked up.
   bool clock = false;            ///< Whether time comes from /clock.
 };
@@ -48,7 +49,7 @@ class RosInputs {
     bool reported = false;  // Whether the missing publisher was reported.
   };
 
-  void take_odometry(const RosPlace& place);
+  void take_pose(const RosPlace& place);
   void take_time(double time);
   void drive(const RosPlace& place);
   void look_for_publishers();
@@ -57,6 +58,7 @@ class RosInputs {
   LiveLoop& loop_;
   ros::NodeHandle node_;
   std::vector<Missed> missed_;
+  ros::Subscriber asked_;
   std::unique_ptr<RosFrames> frames_;
   ros::WallTimer look_;
   ros::AsyncSpinner spinner_{1};

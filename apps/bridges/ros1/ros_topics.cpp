@@ -2,6 +2,7 @@
 
 #include "ros1/ros_topics.h"
 
+#include <geometry_msgs/PoseStamped.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/transport_hints.h>
 #include <rosgraph_msgs/Clock.h>
@@ -12,10 +13,19 @@
 namespace insonify {
 namespace {
 
-constexpr int kNewest = 1, kSome = 10;  // Queue lengths.
+constexpr int kNewest = 1, kSome = 10, kAll = 1000;  // Queue lengths.
 
 Eigen::Vector3d vector(const geometry_msgs::Vector3& from) {
   return {from.x, from.y, from.z};
+}
+
+RosPlace place_of(const std_msgs::Header& header, const geometry_msgs::Pose& pose) {
+  RosPlace place;
+  place.frame = bare_frame(header.frame_id);
+  place.stamp = header.stamp.toSec();
+  place.position = {pose.position.x, pose.position.y, pose.position.z};
+  place.orientation = {pose.orientation.w, pose.orientation.x, pose.orientation.y, pose.orientation.z};
+  return place;
 }
 
 }  // namespace
@@ -23,18 +33,20 @@ Eigen::Vector3d vector(const geometry_msgs::Vector3& from) {
 ros::Subscriber subscribe_odometry(ros::NodeHandle& node, const std::string& topic,
                                    std::function<void(const RosPlace&)> take) {
   const auto translate = [take = std::move(take)](const nav_msgs::Odometry::ConstPtr& message) {
-    const auto& position = message->pose.pose.position;
-    const auto& orientation = message->pose.pose.orientation;
-    RosPlace place;
-    place.frame = bare_frame(message->header.frame_id);
-    place.stamp = message->header.stamp.toSec();
-    place.position = {position.x, position.y, position.z};
-    place.orientation = {orientation.w, orientation.x, orientation.y, orientation.z};
+    RosPlace place = place_of(message->header, message->pose.pose);
     place.linear = vector(message->twist.twist.linear);
     place.angular = vector(message->twist.twist.angular);
     take(place);
   };
   return node.subscribe<nav_msgs::Odometry>(topic, kNewest, translate, {}, ros::TransportHints().tcpNoDelay());
+}
+
+ros::Subscriber subscribe_poses(ros::NodeHandle& node, const std::string& topic,
+                                std::function<void(const RosPlace&)> take) {
+  const auto translate = [take = std::move(take)](const geometry_msgs::PoseStamped::ConstPtr& message) {
+    take(place_of(message->header, message->pose));
+  };
+  return node.subscribe<geometry_msgs::PoseStamped>(topic, kAll, translate, {}, ros::TransportHints().tcpNoDelay());
 }
 
 ros::Subscriber subscribe_clock(ros::NodeHandle& node, const std::string& topic, std::function<void(double)> take) {

@@ -27,6 +27,9 @@ struct RosPlace {
 /// @param topic  nav_msgs/Odometry
 [[nodiscard]] ros::Subscriber subscribe_odometry(ros::NodeHandle& node, const std::string& topic,
                                                  std::function<void(const RosPlace&)> take);
+/// @param topic  geometry_msgs/PoseStamped; each message is passed, unless more than a thousand wait.
+[[nodiscard]] ros::Subscriber subscribe_poses(ros::NodeHandle& node, const std::string& topic,
+                                              std::function<void(const RosPlace&)> take);
 /// @param topic  rosgraph_msgs/Clock; passed in seconds.
 [[nodiscard]] ros::Subscriber subscribe_clock(ros::NodeHandle& node, const std::string& topic,
                                               std::function<void(double)> take);

@@ -29,6 +29,10 @@ void add_ros_inputs(const Command& command, BridgeRequest& request, const char* 
   command.option("--clock", "NAME", &request.clock,
                  fmt::format("Clock of the pings: wall, or simulated, that of the topic /clock [{}]", clock),
                  one_of({"wall", "simulated"}));
+  command.option("--ping-at", "TOPIC", &request.ping_at,
+                 "Topic of geometry_msgs/PoseStamped: a ping for each message, from its pose, and no others",
+                 not_empty("a topic, such as /insonify/ping"));
+  command.exclude("--ping-at", {"--odometry", "--tf", "--clock"});
 }
 
 void add_ros1_options(const Command& command, BridgeRequest& request) {
@@ -37,10 +41,6 @@ void add_ros1_options(const Command& command, BridgeRequest& request) {
 
 void add_dds_options(const Command& command, BridgeRequest& request) {
   add_ros_inputs(command, request, "wall");
-  command.option("--ping-at", "TOPIC", &request.ping_at,
-                 "Topic of geometry_msgs/PoseStamped: a ping for each message, from its pose, and no others",
-                 not_empty("a topic, such as /insonify/ping"));
-  command.exclude("--ping-at", {"--odometry", "--tf", "--clock"});
   DdsOptions& options = request.dds;
   command.option("--set-topic", "TOPIC", &options.set_topic,
                  "Topic of std_msgs/String whose messages change settings, as --set does [/insonify/set]",

@@ -47,7 +47,7 @@ class Poses:
 
 class PosesTest(kit.MasterTest):
     def publisher(self, topic, kind, **options):
-        publisher = kit.rospy.Publisher(topic, kind, queue_size=10, **options)
+        publisher = kit.rospy.Publisher(topic, kind, queue_size=100, **options)
         self.addCleanup(publisher.unregister)
         return kit.connected(publisher)
 
@@ -150,6 +150,21 @@ class PosesTest(kit.MasterTest):
         self.assertGreater(max(expected), 10000)
         self.assertLessEqual(max(abs(a - b) for a, b in zip(images["moving"], expected)), 1)
         self.assertGreater(max(abs(a - b) for a, b in zip(images["still"], expected)), 1000)
+
+    # Twenty at once: no ping is dropped, and none is made between. Two poses have the same place.
+    def test_a_ping_for_each_pose(self):
+        self.start("--ping-at", "/ask", "__name:=asked")
+        poses = Poses("/asked")
+        ask = self.publisher("/ask", PoseStamped)
+        for number in range(1, 21):
+            pose = PoseStamped()
+            pose.header.frame_id, pose.header.stamp = "world", kit.rospy.Time.from_sec(number)
+            pose.pose.position.x, pose.pose.orientation.w = number // 2, 1
+            ask.publish(pose)
+        kit.wait_for(lambda: len(poses.all) >= 20, message=f"only {len(poses.all)} pings")
+        time.sleep(0.3)  # Nearly five periods of the sonar.
+        self.assertEqual([(each.header.stamp.to_sec(), round(each.pose.position.x, 5)) for each in poses.all],
+                         [(number, number // 2) for number in range(1, 21)])
 
     def test_use_sim_time_holds_unless_the_command_line_says_otherwise(self):
         self.master.set("/use_sim_time", True)
