@@ -43,7 +43,7 @@ std::optional<std::string> against_device(const PingLoad& load) {
                        threads_text(load.threads), load.threads == 1 ? "s" : "", 1e3 * times.host, 1e3 * times.device);
   }
   if (load.pings > 0 && static_cast<double>(load.pings) * (times.host - times.device) < kDeviceStart) {
-    return fmt::format("{} made before a graphics card would have started",
+    return fmt::format("{} too few to start a graphics card for",
                        load.pings == 1 ? "1 ping is" : fmt::format("{} pings are", load.pings));
   }
   return {};

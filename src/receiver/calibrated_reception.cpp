@@ -11,22 +11,22 @@ bool CalibratedReceiver::is_flat() const {
 }
 
 FlatReceiver CalibratedReceiver::flattened() const {
-  FlatReceiver flat = {.cells = cells_,
-                       .bins = bins_,
-                       .beams = beams_,
-                       .cells_per_beam = cells_per_beam_,
-                       .first_cells = first_cells_,
-                       .volume = volume_,
-                       .cell_angle = cell_angle_,
-                       .ranges = lattice_->ranges(),
-                       .lattice = lattice_->shape(),
-                       .speckle = speckle_->shape(),
-                       .seed = philox_key(seed_)};
+  FlatReceiver flat;
+  flat.cells = cells_;
+  flat.bins = bins_;
+  flat.beams = beams_;
+  flat.cells_per_beam = cells_per_beam_;
+  flat.first_cells = first_cells_;
+  flat.volume = volume_;
+  flat.cell_angle = cell_angle_;
+  flat.ranges = lattice_->ranges();
+  flat.lattice = lattice_->shape();
+  flat.speckle = speckle_->shape();
+  flat.seed = philox_key(seed_);
   if (range_) {
     flat.has_pulse = true;
     flat.look_share = coarse_->share();
     flat.look_pairs = coarse_->pairs();
-    flat.shares_compact = coarse_->shares_compact();
     flat.first_tap = range_->first_tap();
     flat.taps.assign(range_->amplitudes().begin(), range_->amplitudes().end());
   }

@@ -64,7 +64,7 @@ TEST(ChooseEngineTest, SmallFansStayOnTheHost) {
 TEST(ChooseEngineTest, FewPingsStayOnTheHost) {
   PingLoad load = kMeasured;
   load.pings = 390;
-  EXPECT_EQ(against_device(load).value_or(""), "390 pings are made before a graphics card would have started");
+  EXPECT_EQ(against_device(load).value_or(""), "390 pings are too few to start a graphics card for");
   load.pings = 400;
   EXPECT_EQ(against_device(load), std::nullopt);
 }
@@ -105,7 +105,7 @@ TEST(ChooseEngineTest, NothingIsSearchedWhereTheLoadDecides) {
   PingLoad load = kMeasured;
   load.pings = 1;
   EXPECT_EQ(choose_engine(load, "", "").text,
-            "engine: cpu, since 1 ping is made before a graphics card would have started");
+            "engine: cpu, since 1 ping is too few to start a graphics card for");
   EXPECT_EQ(searches, 0);
 }
 

@@ -39,7 +39,7 @@ TEST_F(AutoEngineTest, FewPingsStartNoCard) {
   Simulator simulator = make(scenario("auto"), 2);
   EXPECT_EQ(simulator.scenario().engine, "cpu");
   EXPECT_EQ(card.starts, 1000);
-  EXPECT_EQ(simulator.engine_choice(), "engine: cpu, since 2 pings are made before a graphics card would have started");
+  EXPECT_EQ(simulator.engine_choice(), "engine: cpu, since 2 pings are too few to start a graphics card for");
 }
 
 TEST_F(AutoEngineTest, CpuGoesOnInTheMiddleOfARun) {

@@ -34,6 +34,8 @@ bool received_on_device(const Simulator& simulator) {
 Scenario scenario_of(const Case& of, GroundTruth truth) {
   Scenario scenario = crossing_scenario(kTwo, "gpu");
   scenario.ground_truth = truth;
+  scenario.receiver.azimuth_pattern = BeamPattern::kHann;
+  scenario.sonars[0].source_level_db = 150;  // Weak echoes among the noise.
   of.change(scenario);
   return scenario;
 }
@@ -43,6 +45,11 @@ TEST_P(GpuReceptionTest, GivesThePingsOfTheHostsReceiver) {
   Simulator device(scenario_of(GetParam(), GroundTruth::kLabels), scene, 2, crossing_objects());
   Simulator host(scenario_of(GetParam(), GroundTruth::kFull), scene, 2, crossing_objects());
   CrossingOrders received(device.scenario(), kMoved), expected(host.scenario(), kMoved);
+  for (CrossingOrders* orders : {&received, &expected}) {
+    for (PingRequest& request : orders->requests) {
+      request.number += std::uint64_t{3} << 32;  // The noise of a ping depends on all of its number.
+    }
+  }
   device.ping(received.orders);
   EXPECT_EQ(received_on_device(device), GetParam().on_device);
   host.ping(expected.orders);
@@ -83,7 +90,8 @@ constexpr Case kCases[] = {{"Plain", [](Scenario&) {}},
                             }},
                            {"OutOfFocus",
                             [](Scenario& of) {
-                              of.sonars[0].focus_range = 6;
+                              of.sonars[0].azimuth_resolution = 0.6 * kDegree;
+                              of.sonars[0].focus_range = 3;
                               of.sonars[1].focus_range = 4;
                             }},
                            {"VolumeAndNoiseOfTheSurface",

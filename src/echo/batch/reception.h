@@ -70,10 +70,9 @@ struct FlatReceiver {
   std::vector<float> volume;      ///< [bin] Volume reverberation per unit solid angle [1/sr]; empty without any.
   std::vector<float> cell_angle;  ///< [cell] Solid angle [sr].
 
-  bool has_pulse = false;       ///< Without one, energies are those of whole bins.
-  float look_share = 1;         ///< Share of an extended echo that the pulse receives at a time.
-  float look_pairs = 1;         ///< See one_look().
-  bool shares_compact = false;  ///< Whether look_share applies to all energy.
+  bool has_pulse = false;  ///< Without one, energies are those of whole bins.
+  float look_share = 1;    ///< Share of an extended echo that the pulse receives at a time.
+  float look_pairs = 1;    ///< See one_look().
 
   RangeBins ranges;
   LatticeShape lattice;

@@ -32,7 +32,6 @@ shader::ReceiverTables numbers_of(const FlatReceiver& of) {
           .turns_per_chance = speckle.spread_share > 0 ? speckle.spread_turns / speckle.spread_share : 0.0F,
           .spread_half = 0.5F * speckle.spread_turns,
           .has_pulse = of.has_pulse ? 1U : 0U,
-          .shares_compact = of.shares_compact ? 1U : 0U,
           .look_share = of.look_share,
           .look_pairs = of.look_pairs,
           .first_tap = of.first_tap,

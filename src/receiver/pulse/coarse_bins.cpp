@@ -39,7 +39,7 @@ CoarseBins::CoarseBins(const Pulse& pulse, double bin_length, const RangeRespons
 }
 
 void CoarseBins::receive(std::span<float> energy) const {
-  if (shares_compact()) {
+  if (decimation_ == Decimation::kMean && looks_ > 1) {
     for (float& value : energy) {
       value *= share_;
     }

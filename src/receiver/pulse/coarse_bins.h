@@ -35,11 +35,9 @@ class CoarseBins {
   /// The same, and writes the extended part of the energy to `extended`.
   void receive(std::span<float> energy, std::span<float> extended) const;
 
-  /// Share of an extended echo's energy in one look, and whether it applies to compact echoes too; see one_look() for
-  /// pairs().
+  /// See one_look().
   [[nodiscard]] float share() const { return share_; }
   [[nodiscard]] float pairs() const { return pairs_; }
-  [[nodiscard]] bool shares_compact() const { return decimation_ == Decimation::kMean && looks_ > 1; }
 
   /// Factor on the energy of a discrete echo: 1 / n for kMean, else 1.
   [[nodiscard]] float discrete() const { return discrete_; }

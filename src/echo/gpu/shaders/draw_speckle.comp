@@ -17,8 +17,8 @@ layout(local_size_x = kGroup) in;
 float look_energy(ReceptionAt reception, ReceiverTables tables, uint row, uint bin) {
   Floats energy = Floats(reception.energy);
   const float here = energy.at[row + bin];
-  if (tables.has_pulse == 0 || tables.shares_compact != 0) {
-    return tables.has_pulse == 0 ? here : here * tables.look_share;
+  if (tables.has_pulse == 0) {
+    return here;
   }
   const uint bins = tables.bins;
   return one_look(FiveBins(bin > 1 ? energy.at[row + bin - 2] : 0.0, bin > 0 ? energy.at[row + bin - 1] : 0.0, here,

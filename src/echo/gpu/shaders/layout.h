@@ -265,7 +265,7 @@ struct ReceiverTables {
   uint first_turns, turns_per_bin;                            ///< SpeckleShape
   float turns_per_window, bins_per_window, shared_intensity;  ///< The same.
   float spread_share, turns_per_chance, spread_half;          ///< ScattererPhases
-  uint has_pulse, shares_compact;
+  uint has_pulse;
   float look_share, look_pairs;
   int first_tap;
   uint tap_count, zone_count, noise_rows, noise_tap_count;
