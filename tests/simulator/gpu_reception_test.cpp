@@ -1,5 +1,5 @@
-// gpu_reception_test.cpp -- what a card receives itself are the pings that the host makes of the same cells. With full
-// ground truth the host receives, so that both ways are there for one scenario.
+// gpu_reception_test.cpp -- what a card receives itself are the pings that the host makes of the same cells. With
+// motion during a ping the host receives, so that a sonar that stands still shows both ways.
 
 #include "simulator/crossing.h"
 
@@ -10,7 +10,7 @@ using namespace testing_scenes;
 
 // Sum of the differences over the sum of the intensities: places of scatterers are rounded in another order, and 1e-5
 // of a step is 1e-3 of their phase.
-constexpr double kRounding = 5e-4;
+constexpr double kRounding = 2e-3;
 
 struct Case {
   const char* name;
@@ -31,9 +31,8 @@ bool received_on_device(const Simulator& simulator) {
   return std::ranges::any_of(simulator.step_times(), [](const StepTime& time) { return time.step == "form_beams"; });
 }
 
-Scenario scenario_of(const Case& of, GroundTruth truth) {
+Scenario scenario_of(const Case& of) {
   Scenario scenario = crossing_scenario(kTwo, "gpu");
-  scenario.ground_truth = truth;
   scenario.receiver.azimuth_pattern = BeamPattern::kHann;
   scenario.sonars[0].source_level_db = 150;  // Weak echoes among the noise.
   of.change(scenario);
@@ -42,11 +41,14 @@ Scenario scenario_of(const Case& of, GroundTruth truth) {
 
 TEST_P(GpuReceptionTest, GivesThePingsOfTheHostsReceiver) {
   const Scene scene = crossing_scene(0);
-  Simulator device(scenario_of(GetParam(), GroundTruth::kLabels), scene, 2, crossing_objects());
-  Simulator host(scenario_of(GetParam(), GroundTruth::kFull), scene, 2, crossing_objects());
+  Scenario on_host = scenario_of(GetParam());
+  on_host.motion_in_ping = true;
+  Simulator device(scenario_of(GetParam()), scene, 2, crossing_objects());
+  Simulator host(on_host, scene, 2, crossing_objects());
   CrossingOrders received(device.scenario(), kMoved), expected(host.scenario(), kMoved);
   for (CrossingOrders* orders : {&received, &expected}) {
     for (PingRequest& request : orders->requests) {
+      request.twist = {};
       request.number += std::uint64_t{3} << 32;  // The noise of a ping depends on all of its number.
     }
   }
@@ -59,9 +61,9 @@ TEST_P(GpuReceptionTest, GivesThePingsOfTheHostsReceiver) {
     EXPECT_LE(apart(expected.pings[i], received.pings[i]), kRounding);
     EXPECT_EQ(received.pings[i].instance, expected.pings[i].instance);
     EXPECT_EQ(received.pings[i].material, expected.pings[i].material);
-    for (std::size_t bin = 0; bin < expected.pings[i].elevation.size(); ++bin) {
-      const float one = received.pings[i].elevation[bin], other = expected.pings[i].elevation[bin];
-      ASSERT_TRUE((std::isnan(one) && std::isnan(other)) || std::abs(one - other) < 1e-5F) << bin;
+    for (std::size_t at = 0; at < expected.pings[i].elevation.size(); ++at) {
+      const float one = received.pings[i].elevation[at], other = expected.pings[i].elevation[at];
+      ASSERT_TRUE((std::isnan(one) && std::isnan(other)) || std::abs(one - other) < 1e-6F) << at;
     }
   }
 }

@@ -84,7 +84,7 @@ SineCosine fast_sine_cosine(float turns) {  // Vulkan's sin and cos may be 5e-4 
   return at;
 }
 float fast_exp(float x) {
-  return exp(x);
+  return exp(clamp(x, -87.0, 88.0));
 }
 float fast_log(float x) {
   return log(x);
