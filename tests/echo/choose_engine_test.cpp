@@ -104,8 +104,7 @@ TEST(ChooseEngineTest, NothingIsSearchedWhereTheLoadDecides) {
   searches = 0;
   PingLoad load = kMeasured;
   load.pings = 1;
-  EXPECT_EQ(choose_engine(load, "", "").text,
-            "engine: cpu, since 1 ping is too few to start a graphics card for");
+  EXPECT_EQ(choose_engine(load, "", "").text, "engine: cpu, since 1 ping is too few to start a graphics card for");
   EXPECT_EQ(searches, 0);
 }
 
