@@ -104,7 +104,7 @@ export class MockServer {
     if (op === "place") this.vehicle.position = request.position;
     if (op === "seek") this.number = Math.round(request.time / this.sonars.find(({ name }) => name === this.watched).period);
     if (op === "step" && request.back) this.number -= 2;
-    if (op === "step" || op === "seek") this.#ping();
+    if (op === "step" || op === "seek") this.#ping(true);
     if (op === "record") this.state.recording = request.on ? `out/live.${request.format}` : null;
     if (op === "mark") this.say({ op: "markers", markers: request.markers });
     if (op === "save") this.say({ op: "saved", yaml: "world: none\n", path: null });
@@ -151,7 +151,8 @@ export class MockServer {
     this.#ping();
   }
 
-  #ping() {
+  /** @param asked  Whether pages have asked for this one, and get it however slow they are. */
+  #ping(asked = false) {
     if (this.sockets.clients.size === 0) return;
     const sockets = [...this.sockets.clients].filter(({ watch }) => watch);
     if (sockets.some(({ watch }) => this.#sonar(watch).type === "msis")) this.headAngle += (this.sonars[1].step * Math.PI) / 180;
@@ -162,7 +163,7 @@ export class MockServer {
       const headAngle = sonar.type === "msis" ? Math.atan2(Math.sin(this.headAngle), Math.cos(this.headAngle)) : 0;
       const tables = watch.tables.filter((table) => !lacks.includes(table));
       const ping = makePing(sonar, this.number, this.vehicle, headAngle, tables, this.noise, this.made);
-      if (socket.bufferedAmount === 0) socket.send(ping);  // A slow page gets fewer, as of the real server.
+      if (asked || socket.bufferedAmount === 0) socket.send(ping);  // A slow page gets fewer, as of the real server.
     }
     ++this.number;
     this.state.pings_since_change = this.number;
