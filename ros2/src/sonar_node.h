@@ -52,7 +52,7 @@ class SonarNode : public rclcpp::Node, private insonify::LiveListener {
 
   insonify::MessageOptions message_options_;
   bool at_once_ = false, clocked_ = false, on_request_ = false;
-  std::string last_refusal_;  // Of a pose: reported once.
+  std::string last_refusal_;  // Why the last pose was refused, "" if it was not: reported once.
   std::unique_ptr<insonify::LiveLoop> loop_;
   rclcpp::Subscription<nav_msgs::msg::Odometry>::SharedPtr odometry_;
   rclcpp::Subscription<geometry_msgs::msg::PoseStamped>::SharedPtr asked_;
@@ -75,8 +75,8 @@ class SonarNode : public rclcpp::Node, private insonify::LiveListener {
   std::vector<std::vector<rclcpp::GenericPublisher::SharedPtr>>
       channels_;                                                           // By sonar and channel; null: not published.
   std::map<std::string, rclcpp::GenericPublisher::SharedPtr> publishers_;  // By topic.
-  std::string last_problem_;                                               // Of publishing: reported once.
-  std::map<int, double> received_at_;                                      // Of the pose of each sonar's last ping.
+  std::string last_problem_;           // Why the last ping was not published: reported once.
+  std::map<int, double> received_at_;  // [sonar] LivePing::received_at of its last ping [s].
 };
 
 }  // namespace insonify_ros2

@@ -217,19 +217,6 @@ void CalibratedReceiver::draw_noise(const Ping& ping, const Pose& world_from_son
   }
 }
 
-// Sets each beam's noise level; the surface's noise depends on the beam's direction.
-void CalibratedReceiver::set_noise_levels(const Pose& world_from_sonar, std::vector<float>& deviations) {
-  deviations.assign(static_cast<std::size_t>(beams_), std::sqrt(0.5F * isotropic_noise_));
-  if (!surface_noise_) {
-    return;
-  }
-  surface_noise_->receive(world_from_sonar.orientation, surface_shares_);
-  for (std::size_t beam = 0; beam < deviations.size(); ++beam) {
-    const double intensity = double{isotropic_noise_} + surface_noise_level_ * surface_shares_[beam];
-    deviations[beam] = static_cast<float>(std::sqrt(0.5 * intensity));
-  }
-}
-
 // Fills moved_ with the cells and discrete echoes of `grid` as the moving sonar receives them. EchoGrid::met_before()
 // of each cell is not shifted.
 void CalibratedReceiver::move(const EchoGrid& grid, const PingMotion& motion, Workers& workers) {

@@ -1,5 +1,7 @@
 // calibrated_reception.cpp -- the steps of a CalibratedReceiver that engines can do where the echoes are, as tables.
 
+#include <cmath>
+
 #include "receiver/calibrated_receiver.h"
 
 namespace insonify {
@@ -39,6 +41,19 @@ FlatReceiver CalibratedReceiver::flattened() const {
     flat.noise_gains = noise_->gains();
   }
   return flat;
+}
+
+// Sets each beam's noise level; the surface's noise depends on the beam's direction.
+void CalibratedReceiver::set_noise_levels(const Pose& world_from_sonar, std::vector<float>& deviations) {
+  deviations.assign(static_cast<std::size_t>(beams_), std::sqrt(0.5F * isotropic_noise_));
+  if (!surface_noise_) {
+    return;
+  }
+  surface_noise_->receive(world_from_sonar.orientation, surface_shares_);
+  for (std::size_t beam = 0; beam < deviations.size(); ++beam) {
+    const double intensity = double{isotropic_noise_} + surface_noise_level_ * surface_shares_[beam];
+    deviations[beam] = static_cast<float>(std::sqrt(0.5 * intensity));
+  }
 }
 
 void CalibratedReceiver::aim(std::span<const DisplacedInstance> displaced, const Pose& world_from_sonar,

@@ -16,6 +16,10 @@ namespace {
 // Requests that are checked and placed before the first of them is made.
 constexpr std::size_t kAtOnce = 256;
 
+// Most moved objects with which an engine receives a ping itself: each has a lattice of scatterers in every cell, of
+// which few are hit, while the host computes those that are.
+constexpr std::size_t kMostFrames = 16;
+
 // Where a request has the sonar.
 PingView view_of(const SimulatedSonar& sonar, const PingRequest& request, const Placement& placement) {
   const Pose head = housing_from_head(sonar.head_angle(request));
@@ -188,7 +192,8 @@ void Simulator::State::aim_receivers(std::span<const PingOrder> orders, std::siz
     PingView& from = views_[first + view];
     CalibratedReceiver* const receiver =
         of.receivers.empty() ? nullptr : of.receivers[static_cast<std::size_t>(worker)].get();
-    if (receiver != nullptr && receiver->flat() != nullptr && from.layers.ground_truth != GroundTruth::kFull) {
+    if (receiver != nullptr && receiver->flat() != nullptr && from.layers.ground_truth != GroundTruth::kFull &&
+        displaced_[first + view].size() <= kMostFrames) {
       receiver->aim(displaced_[first + view], from.world_from_sonar, *receptions_[first + view]);
       from.reception = receptions_[first + view].get();
     }

@@ -39,6 +39,25 @@ Scenario scenario_of(const Case& of) {
   return scenario;
 }
 
+void expect_same_counts(const Ping& device, const Ping& host) {
+  ASSERT_EQ(device.counts.size(), host.counts.size());
+  double apart = 0;
+  for (std::size_t at = 0; at < host.counts.size(); ++at) {
+    apart += std::abs(static_cast<double>(device.counts[at]) - host.counts[at]);
+  }
+  EXPECT_LE(apart, 0.05 * static_cast<double>(host.counts.size()));  // Of 255: few are at the limit between two.
+}
+
+void expect_same_field(const Ping& device, const Ping& host) {
+  ASSERT_EQ(device.field.size(), host.field.size());
+  double apart = 0, sum = 0;
+  for (std::size_t at = 0; at < host.field.size(); ++at) {
+    apart += double{std::norm(device.field[at] - host.field[at])};
+    sum += double{std::norm(host.field[at])};
+  }
+  EXPECT_LE(apart, kRounding * sum);
+}
+
 TEST_P(GpuReceptionTest, GivesThePingsOfTheHostsReceiver) {
   const Scene scene = crossing_scene(0);
   Scenario on_host = scenario_of(GetParam());
@@ -59,6 +78,8 @@ TEST_P(GpuReceptionTest, GivesThePingsOfTheHostsReceiver) {
   for (std::size_t i = 0; i < received.pings.size(); ++i) {
     SCOPED_TRACE(testing::Message() << "ping " << i);
     EXPECT_LE(apart(expected.pings[i], received.pings[i]), kRounding);
+    expect_same_counts(received.pings[i], expected.pings[i]);
+    expect_same_field(received.pings[i], expected.pings[i]);
     EXPECT_EQ(received.pings[i].instance, expected.pings[i].instance);
     EXPECT_EQ(received.pings[i].material, expected.pings[i].material);
     for (std::size_t at = 0; at < expected.pings[i].elevation.size(); ++at) {
@@ -107,6 +128,14 @@ constexpr Case kCases[] = {{"Plain", [](Scenario&) {}},
                               of.sonars[0].crosstalk_db = -30;
                               of.sonars[0].missing_beams = {2};
                             }},
+                           {"LeakCountsAndField",
+                            [](Scenario& of) {
+                              of.sonars[0].leak_db = -60;
+                              of.sonars[0].dead_range = 1.5;
+                              of.receiver.counts = of.receiver.field = true;
+                              of.receiver.time_varied_gain = 30;
+                              of.receiver.full_scale_share = 0.002;
+                            }},
                            {"Thrusters",
                             [](Scenario& of) {
                               of.thrusters = {{.position = {0.6, 0.3, 0}}};
@@ -126,6 +155,26 @@ constexpr Case kCases[] = {{"Plain", [](Scenario&) {}},
                             },
                             false},
                            {"NoSpeckle", [](Scenario& of) { of.receiver.speckle = false; }, false}};
+
+// A sonar among balls that have moved. One more than so many, and the host receives.
+TEST_F(GpuReceptionTest, WithManyMovedObjectsTheHostReceives) {
+  constexpr int kMost = 16;
+  SceneMaker maker;
+  std::vector<MovableObject> objects;
+  PingRequest request;
+  for (int i = 0; i <= kMost; ++i) {
+    const std::string name = "ball" + std::to_string(i);
+    maker.add(name, make_sphere(0.3, 0.3), {.position = {5 + 0.5 * i, 0, -1}}, 0.7);
+    objects.push_back({name});
+    request.moved.push_back({.name = name, .world_from_object = {.position = {5 + 0.5 * i, 0.3, -1}}});
+  }
+  Simulator simulator(crossing_scenario(0, "gpu"), maker.scene(), 2, objects);
+  (void)simulator.ping(0, request);
+  EXPECT_FALSE(received_on_device(simulator));
+  request.moved.pop_back();
+  (void)simulator.ping(0, request);
+  EXPECT_TRUE(received_on_device(simulator));
+}
 
 INSTANTIATE_TEST_SUITE_P(Cases, GpuReceptionTest, testing::ValuesIn(kCases),
                          [](const auto& test) { return test.param.name; });

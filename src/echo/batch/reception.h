@@ -32,7 +32,7 @@ struct LatticeShape {
 /// The lattice of a bearing, seen from a sonar.
 struct LatticeAxes {
   double ahead = 0, up = 0;  ///< Position of the transducer [steps].
-  ScattererKey key = {};     ///< Of the random numbers.
+  ScattererKey key = {};     ///< The bearing's random numbers: four 32-bit words.
   float across_turns = 0;    ///< Phase per cell width of a scatterer's distance from the cell's middle [turns].
   LatticeProjection projection = {};
   LatticeOrigin ahead_from = {}, up_from = {};
@@ -47,8 +47,10 @@ struct SpeckleShape {
   float spread_share = 0, spread_turns = 0;  ///< See CarrierSpread.
 };
 
-/// A banded matrix of gains of rows, see GainMatrix: [block][row][8 beams].
+/// A banded matrix of gains of rows, see GainMatrix: [block][row][kBlockBeams].
 struct GainTable {
+  static constexpr int kBlockBeams = 8;
+
   std::span<const float> gains = {};
   std::vector<int> bands = {};  ///< [block][2] First row, and last + 1.
 
@@ -79,12 +81,13 @@ struct FlatReceiver {
   SpeckleShape speckle;
 
   int first_tap = 0;              ///< Bin that the first tap takes, relative to the received one.
-  std::vector<float> taps = {1};  ///< Amplitude of the pulse.
+  std::vector<float> taps = {1};  ///< Amplitude of the pulse, bin by bin; its peak is 1.
   std::vector<GainZone> zones;    ///< By range; empty: beams are cells.
 
-  int noise_rows = 0;             ///< Rows of noise; 0: the host adds the noise.
-  std::vector<float> noise_taps;  ///< Filter along range.
-  GainTable noise_gains;          ///< Empty where rows are the beams.
+  static constexpr int kNoiseBlock = 64;  ///< Numbers of a row that one draw makes, see draw_normals().
+  int noise_rows = 0;                     ///< Rows of noise; 0: the host adds the noise.
+  std::vector<float> noise_taps;          ///< Filter along range.
+  GainTable noise_gains;                  ///< Empty where rows are the beams.
   std::array<std::uint32_t, 2> seed = {};
 };
 
@@ -93,7 +96,7 @@ struct Reception {
   std::shared_ptr<const FlatReceiver> receiver;  ///< Null: the host receives.
   std::vector<LatticeAxes> axes;                 ///< [frame][cell] Frame 0 is the world, the others moved objects.
   std::vector<std::uint32_t> instances;          ///< [frame - 1] The objects.
-  std::vector<float> noise_deviation;            ///< [beam] See CalibratedReceiver.
+  std::vector<float> noise_deviation;  ///< [beam] Standard deviation of each part, re the source's amplitude at 1 m.
 };
 
 /// What an engine has received of a ping.

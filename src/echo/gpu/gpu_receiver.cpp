@@ -5,10 +5,15 @@
 #include <cstring>
 #include <utility>
 
+#include "base/philox.h"
 #include "echo/gpu/packer.h"
 
 namespace insonify {
 namespace {
+
+static_assert(shader::kGainBeams == GainTable::kBlockBeams && shader::kNoiseBlock == FlatReceiver::kNoiseBlock);
+static_assert(shader::kNoiseInPhase == static_cast<std::uint32_t>(RandomPurpose::kNoiseInPhase) &&
+              shader::kNoiseInPhase + 1 == static_cast<std::uint32_t>(RandomPurpose::kNoiseQuadrature));
 
 shader::ReceiverTables numbers_of(const FlatReceiver& of) {
   const SpeckleShape& speckle = of.speckle;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "echo/batch/ping_view.h"
-#include "echo/gpu/shaders/layout.h"
+#include "echo/gpu/shaders/ping_layout.h"
 #include "gpu/device.h"
 
 namespace insonify {

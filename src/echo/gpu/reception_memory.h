@@ -6,7 +6,7 @@
 
 #include "echo/batch/ping_view.h"
 #include "echo/batch/reception.h"
-#include "echo/gpu/shaders/layout.h"
+#include "echo/gpu/shaders/ping_layout.h"
 #include "gpu/staged.h"
 
 namespace insonify {

@@ -12,7 +12,7 @@ namespace insonify {
 /// are skipped. Rows are stored in blocks of kBlockBeams beams that share one band.
 class GainMatrix {
  public:
-  static constexpr int kBlockBeams = 8;
+  static constexpr int kBlockBeams = GainTable::kBlockBeams;
 
   GainMatrix() = default;
   GainMatrix(int beam_count, int cell_count);

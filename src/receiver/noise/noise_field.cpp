@@ -140,6 +140,8 @@ void draw_filtered_row(std::span<const float> taps, RandomPurpose in_phase, Rand
   }
 }
 
+static_assert(FlatReceiver::kNoiseBlock == kTileBins);
+
 void NoiseField::draw(std::uint64_t ping, Workers& workers) {
   white_.resize(std::max(white_.size(), static_cast<std::size_t>(workers.count())));
   const auto values_of_row = 2 * static_cast<std::size_t>(bins_);

@@ -11,7 +11,6 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
-#include <thread>
 
 #include "insonify/files.h"
 #include "insonify/simulator.h"
@@ -69,26 +68,20 @@ class SonarNodeTest : public ::testing::Test {
   }
 
   static std::vector<std::uint8_t> message(const std::string& topic, std::size_t number = 0) {
-    const auto end = std::chrono::steady_clock::now() + kPatience;
-    while (messages(topic).size() <= number && std::chrono::steady_clock::now() < end) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
-    const auto all = messages(topic);
+    std::unique_lock lock(rclcpp::graph().mutex);
+    const auto& all = rclcpp::graph().topics[topic].messages;
+    rclcpp::graph().changed.wait_for(lock, kPatience, [&] { return all.size() > number; });
     return all.size() > number ? all[number] : throw std::runtime_error("no message on " + topic);
   }
 
-  // The first message from now on that has this text.
+  // Waits for a message that has this text.
   static bool says(const std::string& topic, const std::string& text) {
-    const auto end = std::chrono::steady_clock::now() + kPatience;
-    while (std::chrono::steady_clock::now() < end) {
-      for (const auto& each : messages(topic)) {
-        if (std::string(each.begin(), each.end()).find(text) != std::string::npos) {
-          return true;
-        }
-      }
-      std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
-    return false;
+    const auto has_text = [&](const std::vector<std::uint8_t>& each) {
+      return std::string(each.begin(), each.end()).find(text) != std::string::npos;
+    };
+    std::unique_lock lock(rclcpp::graph().mutex);
+    return rclcpp::graph().changed.wait_for(
+        lock, kPatience, [&] { return std::ranges::any_of(rclcpp::graph().topics[topic].messages, has_text); });
   }
 
   template <typename Message>
@@ -141,10 +134,12 @@ TEST_F(SonarNodeTest, MessagesAreThoseOfAPingFromTheOdometrysPose) {
 
 TEST_F(SonarNodeTest, WithoutAPoseOfItsOdometryThereIsNoPing) {
   start({{"odometry", std::string("/auv/odom")}});
-  (void)message("/fls/description");
-  std::this_thread::sleep_for(std::chrono::milliseconds(100));  // Five periods.
-  EXPECT_THAT(messages("/fls/pose"), SizeIs(0));
-  EXPECT_THAT(messages("/fls/description"), SizeIs(1));  // The topics are there all the same.
+  (void)message("/fls/description");  // The topics are there all the same.
+  nav_msgs::msg::Odometry odometry;
+  odometry.header.stamp.sec = 7;
+  odometry.pose.pose.orientation.w = 1;
+  write("/auv/odom", odometry);
+  EXPECT_EQ(stamp_of(message("/fls/pose")), 7);  // The first of all.
   EXPECT_THAT(rclcpp::graph().warnings, SizeIs(0));
 }
 
@@ -157,11 +152,11 @@ TEST_F(SonarNodeTest, EachPoseThatAsksHasAPing) {
     write("/ask", pose);
   }
   (void)message("/fls/pose", kPings - 1);
-  std::this_thread::sleep_for(std::chrono::milliseconds(100));  // Five periods.
-  const auto all = messages("/fls/pose");
-  ASSERT_THAT(all, SizeIs(kPings));
-  for (int number = 1; number <= kPings; ++number) {
-    EXPECT_EQ(stamp_of(all[static_cast<std::size_t>(number - 1)]), number);
+  geometry_msgs::msg::PoseStamped last;  // A ping that nobody has asked for would come before it.
+  last.header.stamp.sec = kPings + 1;
+  write("/ask", last);
+  for (int number = 1; number <= kPings + 1; ++number) {
+    EXPECT_EQ(stamp_of(message("/fls/pose", static_cast<std::size_t>(number - 1))), number);
   }
 }
 
@@ -181,7 +176,10 @@ TEST_F(SonarNodeTest, PingsKeepTheTimeOfSimulatedTime) {
   for (std::uint32_t step = 0; step < kMost && messages("/fls/pose").size() < kPings; ++step) {
     const std::uint32_t ms = 5 * step;
     write("/clock", rosgraph_msgs::msg::Clock{{5 + static_cast<std::int32_t>(ms / 1000), ms % 1000 * 1'000'000}});
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    {  // So that steps do not run away from the pings.
+      std::unique_lock lock(rclcpp::graph().mutex);
+      rclcpp::graph().changed.wait_for(lock, std::chrono::milliseconds(5));
+    }
     for (const auto& each : messages("/fls/pose")) {  // Sound takes 16 ms to 12 m and back.
       EXPECT_LE(stamp_of(each) + 0.016, 5 + 0.005 * step + 1e-6);
       EXPECT_GE(stamp_of(each), 5);

@@ -10,9 +10,6 @@ layout(local_size_x = kGroup) in;
 
 const uint kQuarter = kNoiseBlock / 4;
 
-// RandomPurpose::kNoiseInPhase and kNoiseQuadrature
-const uint kInPhase = 4u;
-
 void main() {
   const PingAt ping = Pings(job.pings).at[job.first + gl_WorkGroupID.y];
   if (ping.reception.tables == 0) {
@@ -26,7 +23,7 @@ void main() {
     return;
   }
   const uint number[2] = ping.reception.number;
-  const uvec4 words = philox(uvec4(block * kQuarter + i, row, number[0], (kInPhase + part) ^ number[1] << 8),
+  const uvec4 words = philox(uvec4(block * kQuarter + i, row, number[0], (kNoiseInPhase + part) ^ number[1] << 8),
                              uvec2(tables.seed[0], tables.seed[1]));
   const float radius1 = sqrt(-2.0 * fast_log(uniform_open(words.x))),
               radius2 = sqrt(-2.0 * fast_log(uniform_open(words.z)));

@@ -13,7 +13,7 @@ void main() {
   }
   const ReceiverTables tables = ReceiverAt(ping.reception.tables).tables;
   const uint taps = tables.noise_tap_count, blocks = (tables.bins + taps - 1 + kNoiseBlock - 1) / kNoiseBlock;
-  const uint bin = INVOCATION % tables.bins, part = INVOCATION / tables.bins;  // Of a row, real or imaginary.
+  const uint bin = INVOCATION % tables.bins, part = INVOCATION / tables.bins;  // 2 row for real, 2 row + 1 for imaginary.
   if (part >= 2 * tables.noise_rows) {
     return;
   }

@@ -3,6 +3,7 @@
 #extension GL_EXT_shader_atomic_int64 : require
 
 #include "scene.glsl"
+#include "ping_layout.h"
 #include "echo/laws/all.h"
 
 layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Floats { float at[]; };

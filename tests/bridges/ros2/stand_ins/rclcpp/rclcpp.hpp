@@ -4,6 +4,7 @@
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
 #include <cstdint>
 #include <cstdio>
 #include <functional>
@@ -104,6 +105,7 @@ struct Graph {
     std::vector<std::vector<std::uint8_t>> messages;
   };
   std::mutex mutex;
+  std::condition_variable changed;  // A message has been published.
   std::map<std::string, Topic> topics;
   std::map<std::string, std::function<void(const void*)>> subscribers;
   std::vector<std::string> warnings;
@@ -124,6 +126,7 @@ class GenericPublisher {
     const rcl_serialized_message_t& raw = message.get_rcl_serialized_message();
     const std::lock_guard lock(graph().mutex);
     graph().topics[topic_].messages.emplace_back(raw.buffer, raw.buffer + raw.buffer_length);
+    graph().changed.notify_all();
   }
 
  private:
