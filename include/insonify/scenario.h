@@ -191,12 +191,12 @@ struct Scenario {
     visit(Field{"model", "", {}, "Echo model: calibrated (levels by the sonar equation) or paper (shaped strengths)."},
           self.model);
     visit(
-        Field{"engine",
-              "",
-              {},
-              "Engine that computes the echoes: cpu, gpu (a graphics card, by Vulkan; calibrated without a sea "
-              "surface so far), reference (slow, for checks), or auto: gpu where it is expected to be faster (fans of "
-              "many beams, on a card), else cpu."},
+        Field{
+            "engine",
+            "",
+            {},
+            "Engine that computes the echoes: cpu, gpu (a graphics card, by Vulkan), reference (slow, for checks), or "
+            "auto: gpu where it is expected to be faster (fans of many beams, on a card), else cpu."},
         self.engine);
     visit(Field{"device",
                 "",

@@ -49,7 +49,7 @@ std::optional<std::string> against_device(const PingLoad& load) {
   return {};
 }
 
-EngineChoice choose_engine(const PingLoad& load, std::string_view device, std::string_view needs) {
+EngineChoice choose_engine(const PingLoad& load, std::string_view device) {
   const auto on_host = [](std::string_view why) {
     return EngineChoice{&engine_kind("cpu"), fmt::format("engine: cpu, since {}", why)};
   };
@@ -58,10 +58,6 @@ EngineChoice choose_engine(const PingLoad& load, std::string_view device, std::s
   }
   std::string why;
   for (const EngineKind* kind : kinds_on_devices()) {
-    if (!kind->complete && !needs.empty()) {
-      why = fmt::format("engine {} computes no {} yet", kind->name, needs);
-      continue;
-    }
     try {
       const std::string name = kind->find_hardware(device);
       const ExpectedTimes times = expected_times(load);

@@ -37,7 +37,6 @@ struct EngineChoice {
 };
 
 /// @param device  See Scenario::device.
-/// @param needs   What the scenario has that an engine that is not complete refuses; "" for nothing.
-[[nodiscard]] EngineChoice choose_engine(const PingLoad& load, std::string_view device, std::string_view needs);
+[[nodiscard]] EngineChoice choose_engine(const PingLoad& load, std::string_view device);
 
 }  // namespace insonify

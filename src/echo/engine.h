@@ -24,8 +24,6 @@ namespace insonify {
 struct EngineKind {
   std::string_view name;         ///< Lower case, as in scenarios and on the command line.
   bool draws_primaries = false;  ///< Whether it can rasterise primary echoes (PrimaryEchoes::kRaster).
-  /// Whether it computes all of EchoModel::kCalibrated; if not, the sea's surface is refused.
-  bool complete = true;
   /// @param device  See Scenario::device; "" for an engine that has no choice.
   std::unique_ptr<Engine> (*make)(Workers& workers, std::string_view device) = nullptr;
   /// Name of the device in hardware that it would compute on, for `auto`, which takes no other; null for an engine on

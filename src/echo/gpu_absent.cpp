@@ -13,7 +13,6 @@ constexpr const char* kWhy = "insonify was built without Vulkan (Debian, Ubuntu:
 
 const EngineKind& gpu_kind() {
   static const EngineKind kind = {.name = "gpu",
-                                  .complete = false,
                                   .make = [](Workers&, std::string_view) -> std::unique_ptr<Engine> {
                                     throw Error(std::string("engine gpu: ") + kWhy);
                                   },

@@ -98,10 +98,6 @@ void check_engine(const Scenario& scenario) {
   if (std::ranges::find(names, scenario.engine) == names.end()) {
     throw Error("", "engine", fmt::format(" = \"{}\" must be {}", scenario.engine, fmt::join(names, " or ")));
   }
-  if (scenario.model == EchoModel::kCalibrated && scenario.surface && scenario.engine != kAutoEngine &&
-      !engine_kind(scenario.engine).complete) {
-    throw Error("", "engine", fmt::format(" = {} computes no sea surface in model = calibrated yet", scenario.engine));
-  }
 }
 
 void check_materials(const MaterialRules& rules) {

@@ -12,11 +12,6 @@ namespace insonify {
 
 namespace {
 
-// What engines that are not complete refuse; "" for nothing.
-std::string_view uncommon_needs(const Scenario& scenario) {
-  return scenario.model == EchoModel::kCalibrated && scenario.surface ? "sea surface in model = calibrated" : "";
-}
-
 PingLoad load_of(const Scene& scene, std::span<const SimulatedSonar> sonars, int threads, std::uint64_t pings) {
   PingLoad load{.triangles = static_cast<double>(scene.triangle_count()), .threads = threads, .pings = pings};
   for (const SimulatedSonar& sonar : sonars) {
@@ -51,8 +46,7 @@ Simulator::State::State(Scenario the_scenario, Scene the_scene, int threads, std
 
 void Simulator::State::start_engine(const Log& log, std::uint64_t pings) {
   if (scenario.engine == kAutoEngine) {
-    const EngineChoice choice =
-        choose_engine(load_of(scene, sonars, workers.count(), pings), scenario.device, uncommon_needs(scenario));
+    const EngineChoice choice = choose_engine(load_of(scene, sonars, workers.count(), pings), scenario.device);
     engine_choice = choice.text;
     if (choice.kind->find_hardware == nullptr) {
       engine = choice.kind->make(workers, "");

@@ -8,7 +8,7 @@
 #include <functional>
 #include <numbers>
 
-#include "echo/reference/precise_echoes.h"
+#include "echo/model/precise_echoes.h"
 #include "insonify/acoustics/backscatter.h"
 
 namespace insonify::normal_turns_test {

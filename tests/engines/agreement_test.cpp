@@ -236,6 +236,26 @@ TEST_P(EngineAgreementTest, NormalsOfDifferentGroupsOfBeamsAreNotCompared) {
   }
 }
 
+// Calm, so that the surface mirrors all that it meets, and with waves, whose facets return echoes by many paths.
+TEST_P(EngineAgreementTest, GivesTheEchoesOfTheReferenceUnderASea) {
+  for (int seed = 0; seed < kScenes; ++seed) {
+    RandomScene random(seed);
+    const double wind_speed = seed % 4 == 0 ? 0 : 0.3 * (seed % 8);
+    add_sea(random.scene, random.pose.position + Vec3(0, 0, 1 + 0.05 * seed), wind_speed, random.sonar.frequency);
+    const FlatPlanSettings settings{.sonar = random.sonar,
+                                    .model = EchoModel::kCalibrated,
+                                    .materials = random.scene.materials,
+                                    .beam_shape = seed % 4 < 2 ? BeamShape::kWedge : BeamShape::kCone,
+                                    .secondary = seed % 2 == 0 ? SecondaryEchoes::kAll : SecondaryEchoes::kSelective,
+                                    .rough_mirrors = seed % 5 == 0,
+                                    .seed = static_cast<std::uint64_t>(seed)};
+    const EchoGrid echoes = echoes_of(GetParam(), random.scene, settings, random.pose);
+    const EchoGrid reference = echoes_of("reference", random.scene, settings, random.pose);
+    expect_agreement(reference, echoes, seed);
+    expect_same_labels(reference, echoes, seed);
+  }
+}
+
 // Bodies and bed behind and within plates and nets; those of every third scene have none, and some are opaque.
 TEST_P(EngineAgreementTest, SeesThroughSurfacesAsTheReferenceDoes) {
   for (int seed = 0; seed < kScenes; seed += 2) {

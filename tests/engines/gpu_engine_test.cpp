@@ -5,21 +5,11 @@
 #include "echo/model/left_out.h"
 #include "echo/targets/scene_targets.h"
 #include "engines/gpu_test.h"
-#include "support/message_of.h"
 
 namespace insonify::gpu_engine_test {
 namespace {
 
 using namespace testing_scenes;
-
-TEST_F(GpuEngineTest, WhatItDoesNotComputeIsRefusedByName) {
-  Scenario scenario = quiet_scenario(SonarConfig());
-  scenario.engine = "gpu";
-  scenario.model = EchoModel::kCalibrated;
-  scenario.validate();
-  scenario.surface = SeaSurface{.level = 2};
-  EXPECT_EQ(message_of([&] { scenario.validate(); }), "engine = gpu computes no sea surface in model = calibrated yet");
-}
 
 // Bars as thick as the thickest thin parts: rounding decides which of their triangles are thin. Each engine must leave
 // out those for which there are pieces.

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "engines/test_scenes.h"
+#include "insonify/sea_surface.h"
 
 namespace insonify::testing_scenes {
 
@@ -85,6 +86,18 @@ struct RandomScene {
     }
   }
 };
+
+// Puts a scene under a sea, whose surface is a plane wider than the range, as SeaPlane makes it.
+inline void add_sea(Scene& scene, const Vec3& position, double wind_speed, double frequency) {
+  Instance sea;
+  sea.name = "sea_surface";
+  sea.mesh = std::make_shared<const Mesh>(make_plane(-Vec3::UnitZ(), 128, 128));
+  sea.world_from_mesh.position = position;
+  sea.materials = {static_cast<std::uint16_t>(scene.materials.size())};
+  sea.moving = sea.endless = true;
+  scene.instances.push_back(std::move(sea));
+  scene.materials.push_back(sea_surface_material({.wind_speed = wind_speed}, frequency));
+}
 
 // Makes nets of a third of a scene's materials and thin plates of another.
 inline void let_sound_through(Scene& scene) {

@@ -37,12 +37,6 @@ Scene scene_for_both(unsigned effects) {
   return scene;
 }
 
-// Why gpu does not make the pings of a crossing; "" where it does.
-std::string refusal(unsigned effects) {
-  const bool has_sea = (effects & kSea) != 0 && (effects & kPaper) == 0;
-  return has_sea && !engine_kind("gpu").complete ? "the sea surface is not computed yet" : "";
-}
-
 // With random walks labels are not compared: one walk may pass an edge on its other side.
 void expect_alike(const Ping& gpu, const Ping& cpu, bool walks) {
   EXPECT_LE(apart(cpu, gpu), kApart);
@@ -57,9 +51,6 @@ void expect_alike(const Ping& gpu, const Ping& cpu, bool walks) {
 
 TEST_P(GpuCrossingTest, GivesThePingsOfCpuAndBatchesTheBytesOfPingsMadeAlone) {
   const unsigned effects = GetParam();
-  if (const std::string why = refusal(effects); !why.empty()) {
-    GTEST_SKIP() << why;
-  }
   const Scene scene = scene_for_both(effects);
   Simulator cpu(crossing_scenario(effects, "cpu"), scene, 2, crossing_objects());
   CrossingOrders expected(cpu.scenario(), effects);

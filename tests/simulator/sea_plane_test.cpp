@@ -21,7 +21,16 @@ class SeaPlaneTest : public testing::TestWithParam<PingCase> {
   }
   static PingRequest at(double x, double y) { return {.world_from_vehicle = {.position = {x, y, -3}}}; }
 };
-INSTANTIATE_TEST_SUITE_P(Cases, SeaPlaneTest, testing::ValuesIn(kPingCases), kPingCaseName);
+
+// Those of other tests, and on a device.
+std::vector<PingCase> ping_cases() {
+  std::vector<PingCase> cases(std::begin(kPingCases), std::end(kPingCases));
+  if (std::ranges::find(usable_engines(), "gpu") != usable_engines().end()) {
+    cases.push_back({"gpuCalibrated", "gpu", EchoModel::kCalibrated, PrimaryEchoes::kRays});
+  }
+  return cases;
+}
+INSTANTIATE_TEST_SUITE_P(Cases, SeaPlaneTest, testing::ValuesIn(ping_cases()), kPingCaseName);
 
 TEST_P(SeaPlaneTest, IsHeardAlikeWhereverTheVehicleGoes) {
   Simulator simulator(below_the_sea(), {}, 2);

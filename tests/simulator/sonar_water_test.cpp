@@ -36,9 +36,6 @@ INSTANTIATE_TEST_SUITE_P(Engines, SonarWaterTest, testing::ValuesIn(engines_and_
 // At 2000 m sound travels 2 % faster than at the surface: a sonar that assumed the surface's speed would measure 19.56
 // m.
 TEST_P(SonarWaterTest, WallIsHeardWhereItIsFarBelowTheSurface) {
-  if (GetParam().model == EchoModel::kCalibrated && !engine_kind(GetParam().engine).complete) {
-    GTEST_SKIP() << "not computed yet";
-  }
   Scenario scenario = quiet_scenario(pencil(), GetParam());
   scenario.surface = SeaSurface{.level = 2000};
   Simulator simulator(scenario, SceneMaker().add_wall(20).scene(), 1);

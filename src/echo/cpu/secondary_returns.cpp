@@ -174,11 +174,11 @@ float SecondaryTask::interference(const RTCRay16& rays, const ReflectedOrigins& 
   if (!(paths.variance[lane] > 0)) {
     return 1;
   }
-  const auto seen = [&](const Vec3f& direction) { return Vec3f(axes_.transpose() * direction); };
+  const auto seen = [&](const Vec3f& direction) { return triple_of(axes_.transpose() * direction); };
   const Vec3f mirror(rays.org_x[lane], rays.org_y[lane], rays.org_z[lane]);
   return double_passage(*plan_, origins.column[lane],
-                        {.out = seen((mirror - sonar_).normalized()),
-                         .smooth = seen({origins.smooth_x[lane], origins.smooth_y[lane], origins.smooth_z[lane]}),
+                        {.to_mirror = seen((mirror - sonar_).normalized()),
+                         .specular = seen({origins.smooth_x[lane], origins.smooth_y[lane], origins.smooth_z[lane]}),
                          .on = seen({rays.dir_x[lane], rays.dir_y[lane], rays.dir_z[lane]}),
                          .range = origins.range[lane],
                          .across = rays.tfar[lane],

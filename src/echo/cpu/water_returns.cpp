@@ -68,16 +68,13 @@ void WaterReturns::connect(const SecondHit& hit, int column, int row, const Echo
   echoes_[count_] =
       reciprocal_echoes(*plan_, column, row, one, static_cast<float>(power), plan_->arrival_from(arrival_direction));
 
-  const Vec3 from_bounce = sonar_ - path->bounce;
-  const double last = from_bounce.norm(), first = path->length - last;
   to_water_.set_origin(count_, hit.point);
   to_water_.set_direction(count_, path->out.cast<float>());
   to_sonar_.set_origin(count_, path->bounce.cast<float>());
-  to_sonar_.set_direction(count_, (from_bounce / last).cast<float>());
-  to_sonar_.rays.ray.tfar[count_] = static_cast<float>(last) - kRayClearance;
-  // Near the surface the ends of a grazing ray are in it for longer.
-  const auto near = static_cast<float>(double{kRayClearance} / std::max(path->out.z(), 0.02));
-  to_water_.rays.ray.tfar[count_] = static_cast<float>(first) - near;
+  to_sonar_.set_direction(count_, (-path->arrival).cast<float>());
+  to_sonar_.rays.ray.tfar[count_] = static_cast<float>(path->length - path->first) - kRayClearance;
+  const auto near = static_cast<float>(path->near);
+  to_water_.rays.ray.tfar[count_] = static_cast<float>(path->first) - near;
   to_sonar_.rays.ray.tnear[count_] = near;
   if (++count_ == kPacketSize) {
     finish();

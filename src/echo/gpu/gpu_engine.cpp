@@ -58,7 +58,6 @@ std::string find_hardware(std::string_view device) {
 }  // namespace
 
 const EngineKind GpuEngine::kKind = {.name = "gpu",
-                                     .complete = false,
                                      .make = [](Workers& workers, std::string_view device) -> std::unique_ptr<Engine> {
                                        return std::make_unique<GpuEngine>(workers, wanted_device(device));
                                      },

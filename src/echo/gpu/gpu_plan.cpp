@@ -53,6 +53,7 @@ void set_calibrated(const FlatPlan& plan, shader::PlanTables& tables) {
   tables.has_facets = plan.has_facets() ? 1 : 0;
   tables.two_way = plan.two_way ? 1 : 0;
   tables.sends_apart = plan.sends_apart ? 1 : 0;
+  tables.selective = plan.secondary == SecondaryEchoes::kSelective ? 1 : 0;
   tables.thin_per_metre = thin_per_metre(plan);
   tables.wavelength = plan.wavelength();
   tables.tan_low = plan.tan_low;

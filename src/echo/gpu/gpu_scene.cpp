@@ -8,6 +8,7 @@
 
 #include "echo/gpu/shader_values.h"
 #include "echo/grid/echo.h"
+#include "echo/mirror/water_path.h"
 
 namespace insonify {
 namespace {
@@ -207,7 +208,9 @@ void GpuScene::place(const Placement* placement, GpuPlacement& placed) const {
                     leaves = layout.take(bytes_of(tree.order)), places = layout.take(bytes_of(meshes));
   std::byte* const to = placed.buffer.refill(device_, layout.end());
   const std::uint64_t at = placed.address();
-  const shader::PlacedScene scene = {at + nodes, at + leaves, at + places};
+  const WaterPlane water = WaterPlane::of(*scene_, origin_);
+  const shader::PlacedScene scene = {at + nodes, at + leaves, at + places, static_cast<float>(water.level),
+                                     water.label};
   std::memcpy(to + head, &scene, sizeof(scene));
   std::memcpy(to + nodes, tree.nodes.data(), bytes_of(tree.nodes));
   std::memcpy(to + leaves, tree.order.data(), bytes_of(tree.order));

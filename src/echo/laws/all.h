@@ -12,9 +12,11 @@
 #include "echo/laws/mirror_facet.h"
 #include "echo/laws/face_return.h"
 #include "echo/laws/facet_return.h"
+#include "echo/laws/double_passage.h"
 #include "echo/laws/path_footprint.h"
 #include "echo/laws/ray_tube.h"
 #include "echo/laws/mirror_echo.h"
+#include "echo/laws/water_return.h"
 #include "echo/laws/scatterers.h"
 #include "echo/laws/one_look.h"
 #ifdef __cplusplus  // A shader includes it with Real as double.

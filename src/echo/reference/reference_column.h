@@ -10,8 +10,8 @@
 #include "echo/model/deposit.h"
 #include "echo/model/flat_plan.h"
 #include "echo/model/left_out.h"
+#include "echo/model/precise_echoes.h"
 #include "echo/model/see_through.h"
-#include "echo/reference/precise_echoes.h"
 #include "echo/reference/triangle_scene.h"
 #include "insonify/engine.h"
 

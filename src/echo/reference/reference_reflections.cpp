@@ -117,12 +117,10 @@ void ReferenceColumn::deposit_paper_echo(const Reflection& path, EchoGrid& grid)
 // multipath.md, "Rough mirrors": double_passage() of a path.
 double ReferenceColumn::interference(const Reflection& path, const Vec3& smooth,
                                      const precise::FacetReturn& over) const {
-  const auto seen = [&](const Vec3& direction) {
-    return Vec3f((world_from_sonar_.orientation.inverse() * direction).cast<float>());
-  };
+  const auto seen = [&](const Vec3& direction) { return triple(world_from_sonar_.orientation.inverse() * direction); };
   return double{double_passage(plan_, column_,
-                               {.out = seen(rays_[path.row].direction),
-                                .smooth = seen(smooth),
+                               {.to_mirror = seen(rays_[path.row].direction),
+                                .specular = seen(smooth),
                                 .on = seen(path.ray.direction),
                                 .range = static_cast<float>(first_[path.row].distance),
                                 .across = static_cast<float>(path.second.distance),
@@ -195,9 +193,9 @@ void ReferenceColumn::deposit_echoes_by_water(const Reflection& path, EchoGrid& 
     return;
   }
   counts_.return_legs += 2;
-  const double last = (back->bounce - sonar).norm(), near = double{kRayClearance} / std::max(back->out.z(), 0.02);
-  if (scene_.blocked({path.point, back->out, double{kRayClearance}, back->length - last - near}) ||
-      scene_.blocked({back->bounce, (sonar - back->bounce) / last, near, last - double{kRayClearance}})) {
+  const double last = back->length - back->first;
+  if (scene_.blocked({path.point, back->out, double{kRayClearance}, back->first - back->near}) ||
+      scene_.blocked({back->bounce, -back->arrival, back->near, last - double{kRayClearance}})) {
     return;
   }
   Echo echo = secondary_echo(plan_, column_, path.row, hits_.selected[path.row],

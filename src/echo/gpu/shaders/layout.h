@@ -122,6 +122,8 @@ struct PlacedScene {
   address nodes;      ///< TreeNode[] over the instances.
   address leaves;     ///< uint[], instances in the order of the leaves.
   address instances;  ///< PlacedMesh[]
+  float water_level;  ///< z of the water's surface [m].
+  uint water;         ///< Its SurfaceLabel; kNoSurface where the scene has none.
 };
 
 /// A ray to trace alone, and what it hits.
@@ -161,6 +163,7 @@ struct PlanTables {
   uint rough_mirrors;  ///< As in PlanNumbers.
   uint has_facets;     ///< FlatPlan::has_facets()
   uint max_surfaces, two_way, sends_apart;
+  uint selective;  ///< Whether `secondary` is SecondaryEchoes::kSelective.
   float thin_per_metre, wavelength, tan_low, tan_high;
   float transmitter_length;                                  ///< FanPattern::length()
   float sent_low, sent_steps, received_low, received_steps;  ///< PatternAxis

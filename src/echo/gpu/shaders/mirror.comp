@@ -10,6 +10,7 @@
 #include "arrival.glsl"
 #include "faces.glsl"
 #include "mirrors.glsl"
+#include "returns.glsl"
 
 layout(local_size_x = kGroup) in;
 
@@ -64,40 +65,16 @@ RayTube tube_of(PlacedMesh placed, uint triangle, ReflectedRay ray) {
   return ray_tube(mirror, turned * ray.direction, turned * ray.mirror.normal, ray.mirror.range);
 }
 
-SecondSurface second_surface(PlanTables plan, uint material, SecondAngles angles, float mirror_steepness) {
-  const Scatterer towards = scatterer_of(plan, material);
-  const float share = lobe_share(mirror_steepness, towards.steepness);
-  SecondSurface second = SecondSurface(towards, 0.0, towards.lambert, share * towards.lobe);
-  if (plan.by_angle != 0) {
-    const float incoming = held_cosine(angles.arriving), outgoing = abs(angles.leaving);
-    second.on_top = at_angle(plan, material, kBackscatter, incoming);
-    second.mu += at_angle(plan, material, kDiffuse, incoming) * at_angle(plan, material, kDiffuse, outgoing);
-    second.lobe = lobe_by_angle(Floats(plan.facets).at[material], at_angle(plan, material, kReflectance, angles.facet),
-                                at_angle(plan, material, kMirrored, angles.facet), share);
-  }
-  return second;
-}
-
-// double_passage() of the host, in the sonar frame.
-float double_passage(PlanTables plan, uint column, vec3 outward, vec3 smooth_on, vec3 on, float range, float across,
-                     FacetReturn over) {
-  if (!(over.variance > 0.0)) {
+// double_passage() of the host.
+float double_passage(PlanTables plan, uint column, RoughPath path) {
+  if (!(path.over.variance > 0.0)) {
     return 1.0;
   }
-  const vec3 normal = normalize(smooth_on - outward);
-  const float cosine = max(-dot(outward, normal), kLeastCosine);
-  const vec3 image = range * outward + across * (on - 2.0 * dot(on, normal) * normal);
-  const float level = max(length(outward.xy), kLeastCosine);
-  const vec3 gradient = plan.cone != 0 ? (vec3(0.0, 1.0, 0.0) - outward.y * outward) / length(outward.xz)
-                                       : vec3(-outward.y, outward.x, 0.0) / (level * level);
-  const float lever = 2.0 * across / range, along = dot(normal, gradient);
-  const float variance =
-      lever * lever * over.variance / cosine * (cosine * cosine * dot(gradient, gradient) + along * along);
+  const OtherFacets others = other_facets(path, plan.cone != 0);
+  const float middle = bearing_of(plan, others.image);
   const uint cell = column / plan.columns_per_beam;
-  const float middle = bearing_of(plan, normalize(image)), scale = 1.0 / sqrt(2.0 * variance);
-  const float share = 0.5 * (fast_erf(scale * (Floats(plan.port_edges).at[cell] - middle)) -
-                             fast_erf(scale * (Floats(plan.starboard_edges).at[cell] - middle)));
-  return 1.0 + (1.0 - over.coherence * over.coherence) * share;
+  return double_passage(path.over.coherence, others.variance, Floats(plan.starboard_edges).at[cell] - middle,
+                        Floats(plan.port_edges).at[cell] - middle);
 }
 
 void main() {
@@ -126,10 +103,10 @@ void main() {
   const vec3 normal = unit(met.normal);
   const float back = length(to_sonar), there = ray.mirror.range + hit.distance;
   const vec3 back_direction = to_sonar / back;
+  const MirrorChange along = change_along(ping, plan, ray.mirror, surface, from.column, from.row),
+                     aside = change_aside(ping, plan, ray.mirror, surface, from.column, from.row);
   const PathFootprint footprint = path_footprint(
-      change_along(ping, plan, ray.mirror, surface, from.column, from.row), from.selected,
-      change_aside(ping, plan, ray.mirror, surface, from.column, from.row),
-      PathEnd(hit.distance, ray.reflected, normal, -back_direction, there, back));
+      along, from.selected, aside, PathEnd(hit.distance, ray.reflected, normal, -back_direction, there, back));
 
   const float cosine = abs(ray.facing), slope = slope_of(ray.steepness), rho = ray.mirror.range * hit.distance / there;
   const FaceSide first = side_of(ray.face, 0, ray.direction, ray.reflected, ray.mirror.normal, cosine, slope),
@@ -159,9 +136,15 @@ void main() {
   const mat3 axes = mat3(ping.forward, ping.port, ping.up);
   if (plan.max_surfaces > 2 && there < plan.reach) {
     echo.power = intensities.twice * Floats(plan.row_pattern).at[in_rows] *
-                 double_passage(plan, from.column, normalize(ray.mirror.place) * axes, ray.mirror.reflected * axes,
-                                ray.reflected * axes, ray.mirror.range, hit.distance, over);
+                 double_passage(plan, from.column,
+                                RoughPath(normalize(ray.mirror.place) * axes, ray.mirror.reflected * axes,
+                                          ray.reflected * axes, ray.mirror.range, hit.distance, over));
     add_echo(plan, ping.cells, echo);
+  }
+  if (plan.max_surfaces > 2) {
+    return_by_water(ping, plan, scene, from, echo,
+                    SecondHit(origin, point, met.normal, ray.reflected, texture, ray.share * ray.reflectance, there,
+                              hit.distance, along, aside));
   }
   const vec3 arrives_from = -(back_direction * axes);
   if (!(intensities.once > 0.0) || !(0.5 * (there + back) < plan.reach) || !receives(plan, arrives_from)) {
@@ -171,15 +154,8 @@ void main() {
   if (trace(scene, point, back_direction, kRayClearance, back - kRayClearance, true).instance != kNoInstance) {
     return;
   }
-  const Arrival arrival = arrival_from(plan, arrives_from);
-  const float beside = sent_beside(plan, from.column, arrival);
   echo.order = 2;
   echo.path_length = there + back;
   echo.half_length = footprint.once;
-  echo.power = intensities.once * arrival.sent * beside * Floats(plan.reciprocal).at[in_rows];
-  add_echo(plan, ping.cells, echo);
-  echo.azimuth = arrival.bearing;
-  echo.elevation = arrival.elevation;
-  echo.power = intensities.once * arrival.received * (plan.two_way != 0 ? 1.0 / beside : 1.0);
-  add_echo(plan, ping.cells, echo);
+  add_both_ways(ping, plan, from, echo, intensities.once, arrives_from);
 }

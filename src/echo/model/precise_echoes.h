@@ -27,7 +27,7 @@ inline double primary_intensity_of(const Scattering& surface, double facing, dou
   return texture * texture * primary_intensity(surface.lambert, glint, on_top, facing, neper_per_metre, range);
 }
 
-/// @param mirror_slope  Rms slope of the mirror.
+/// @param mirror_slope  Rms slope of the mirror; infinite where the second surface's mirrored share does not count.
 inline SecondSurface second_surface_of(const Scattering& surface, const SecondAngles& at, double mirror_slope) {
   const Scatterer towards = scatterer_of(surface);
   const double in = held_cosine(at.arriving),
