@@ -38,6 +38,13 @@ uint sums_of_surface(Cells cells, uint cell, uint surface) {
   }
 }
 
+// Least energy that an echo has in the list of a cell's surfaces, in the units of its bin: what a calm sea scatters off its
+// normal is less than one unit of fixed point, and still the label where nothing else echoes. Eight bits of the elevation
+// are left.
+float listed_energy(float energy) {
+  return energy > 0.0 ? max(energy, 256.0 / kUnits) : 0.0;
+}
+
 // Adds an echo to a cell.
 void add_to_cell(PlanTables plan, Cells cells, uint order, uint beam, uint bin, float power, float weight,
                  float elevation, uint surface) {
@@ -48,11 +55,12 @@ void add_to_cell(PlanTables plan, Cells cells, uint order, uint beam, uint bin, 
   const uint at = cells.labelled != 0 ? sums_of_surface(cells, cell, surface) : cells.most_surfaces;
   if (at < cells.most_surfaces) {
     SurfaceSums list = SurfaceSums(cells.surfaces);
-    atomicAdd(list.at[at].energy, fixed_point(energy));
-    atomicAdd(list.at[at].moment, fixed_point(energy * elevation));
+    const float listed = listed_energy(energy);
+    atomicAdd(list.at[at].energy, fixed_point(listed));
+    atomicAdd(list.at[at].moment, fixed_point(listed * elevation));
     if (cells.labelled > 1) {
       const float beyond = elevation - plan.middle_elevation;
-      atomicAdd(list.at[at].square, fixed_point(energy * (beyond * beyond)));
+      atomicAdd(list.at[at].square, fixed_point(listed * (beyond * beyond)));
     }
   }
 }
