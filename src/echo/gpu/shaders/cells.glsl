@@ -50,7 +50,8 @@ void add_to_cell(PlanTables plan, Cells cells, uint order, uint beam, uint bin, 
                  float elevation, uint surface) {
   const uint cell = beam * plan.bins + bin, of_order = (order - 1) * plan.beams * plan.bins + cell;
   const float energy = weight * power * Floats(plan.bin_scale).at[bin];
-  atomicAdd(Sums(cells.energy).at[of_order], fixed_point(energy));
+  // One unit at least, so that ground truth knows the order of a path however weak it is.
+  atomicAdd(Sums(cells.energy).at[of_order], max(fixed_point(energy), int64_t(energy > 0.0)));
   atomicAdd(Sums(cells.weight).at[of_order], fixed_point(weight));
   const uint at = cells.labelled != 0 ? sums_of_surface(cells, cell, surface) : cells.most_surfaces;
   if (at < cells.most_surfaces) {
