@@ -12,14 +12,18 @@ namespace {
 
 // ROS 2's quality of service for these topics. It matches readers that request less, such as those of sensor data, but
 // not readers that request more.
-DdsQos qos_of(const MessageChannel& channel, bool best_effort) {
-  constexpr int kKept = 10, kKeptTransforms = 100;
+DdsQos qos_of(const MessageChannel& channel, bool best_effort, bool lossless) {
+  constexpr int kKept = 10, kKeptTransforms = 100, kKeptLossless = 1000;  // Messages until they are acknowledged.
+  // How long sending waits for readers; a reader that is gone is given up after the 10 s of its lease.
+  constexpr dds_duration_t kMostBlocking = DDS_MSECS(100), kMostBlockingLossless = DDS_SECS(10);
   DdsQos qos(dds_create_qos());
   const bool is_transform = channel.kind == MessageKind::kTransforms;
   const bool is_lossy = best_effort && !channel.latched && !is_transform;
-  dds_qset_reliability(qos.get(), is_lossy ? DDS_RELIABILITY_BEST_EFFORT : DDS_RELIABILITY_RELIABLE, DDS_MSECS(100));
+  dds_qset_reliability(qos.get(), is_lossy ? DDS_RELIABILITY_BEST_EFFORT : DDS_RELIABILITY_RELIABLE,
+                       lossless ? kMostBlockingLossless : kMostBlocking);
   dds_qset_durability(qos.get(), channel.latched ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
-  dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, channel.latched ? 1 : is_transform ? kKeptTransforms : kKept);
+  const int kept = channel.latched ? 1 : lossless ? kKeptLossless : is_transform ? kKeptTransforms : kKept;
+  dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, kept);
   return qos;
 }
 
@@ -33,7 +37,7 @@ void DdsTransport::open(std::size_t sonar, const std::vector<MessageChannel>& ch
     auto found = writers_.find(name);
     if (found == writers_.end()) {
       RawTopic topic(participant_, name, dds_type_name(channel.type), nullptr);
-      const DdsQos qos = qos_of(channel, best_effort_);
+      const DdsQos qos = qos_of(channel, best_effort_, lossless_);
       add_type_hash(qos.get(), dds_type_name(channel.type));
       DdsEntity writer(dds_create_writer(participant_, topic.get(), qos.get(), nullptr),
                        fmt::format("make a writer of {}", name));

@@ -16,7 +16,9 @@ namespace insonify {
 class DdsTransport : public Transport {
  public:
   /// @param participant  Must live as long as the transport.
-  DdsTransport(dds_entity_t participant, bool best_effort) : participant_(participant), best_effort_(best_effort) {}
+  /// @param lossless     Whether sending waits for slow reliable readers.
+  DdsTransport(dds_entity_t participant, bool best_effort, bool lossless)
+      : participant_(participant), best_effort_(best_effort), lossless_(lossless) {}
 
   void open(std::size_t sonar, const std::vector<MessageChannel>& channels) override;
   [[nodiscard]] bool is_read(std::size_t sonar, std::size_t channel) const override;
@@ -37,7 +39,7 @@ class DdsTransport : public Transport {
   const Writer& writer(std::size_t sonar, std::size_t channel) const { return *channels_.at(sonar).at(channel); }
 
   dds_entity_t participant_;
-  bool best_effort_;
+  bool best_effort_, lossless_;
   SendPace pace_;
   std::map<std::string, Writer> writers_;             // By topic; kept when a sonar changes.
   std::vector<std::vector<const Writer*>> channels_;  // By sonar and channel.

@@ -46,7 +46,7 @@ int run(const BridgeRequest& request) {
   bridge_options.live.driven = bridge_options.live.on_request || !request.odometry.empty() || !request.tf.empty();
   bridge_options.live.clocked = request.clock == "simulated";
   bridge_options.messages.raw = bridge_options.messages.live = true;  // Encoded only for topics with readers.
-  DdsTransport transport(participant.get(), options.best_effort);
+  DdsTransport transport(participant.get(), options.best_effort, bridge_options.lossless);
   Bridge bridge(bridge_options, transport, MessageForm::kRos2);
   DdsInputs inputs(participant.get(),
                    {.odometry = request.odometry,

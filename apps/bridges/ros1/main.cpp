@@ -79,7 +79,7 @@ int run(const BridgeRequest& given, int& argc, char** argv) {
   options.live.driven = options.live.on_request || !request.odometry.empty() || !request.tf.empty();
   options.live.clocked = !options.live.on_request && is_simulated(request.clock);
 
-  RosTransport transport(parameters.transforms);
+  RosTransport transport(parameters.transforms, options.lossless);
   Bridge bridge(options, transport, MessageForm::kRos1);
   RosInputs inputs({.odometry = request.odometry,
                     .tf = request.tf,

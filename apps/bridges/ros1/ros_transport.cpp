@@ -57,7 +57,9 @@ std::string RosTransport::topic_name(const MessageChannel& channel) const {
 }
 
 void RosTransport::open(std::size_t sonar, const std::vector<MessageChannel>& channels) {
-  constexpr int kKept = 4, kKeptTransforms = 100;  // Queue lengths for slow readers.
+  // Queue lengths for slow readers. Messages wait there even where the reader is fast: ROS sends in a thread of its
+  // own.
+  constexpr int kKept = 4, kKeptTransforms = 100;
   channels_.resize(std::max(channels_.size(), sonar + 1));
   channels_[sonar].clear();
   for (const MessageChannel& channel : channels) {
@@ -68,9 +70,9 @@ void RosTransport::open(std::size_t sonar, const std::vector<MessageChannel>& ch
     const std::string name = topic_name(channel);
     Topic& topic = topics_[name];
     if (!topic.publisher) {
+      const int kept = channel.kind == MessageKind::kTransforms ? kKeptTransforms : kKept;
       topic.message.morph(channel.md5, channel.type, channel.definition, "");
-      topic.publisher = topic.message.advertise(
-          node_, name, channel.kind == MessageKind::kTransforms ? kKeptTransforms : kKept, channel.latched);
+      topic.publisher = topic.message.advertise(node_, name, lossless_ ? kMostWaiting : kept, channel.latched);
     }
     channels_[sonar].push_back(&topic);
   }

@@ -18,8 +18,11 @@ namespace insonify {
 
 class RosTransport : public Transport {
  public:
+  static constexpr int kMostWaiting = 1000;  ///< Messages of a topic, as many as poses may wait for their pings.
+
   /// @param transforms  Whether to publish the sonars' poses on /tf.
-  explicit RosTransport(bool transforms) : transforms_(transforms) {}
+  /// @param lossless    Whether slow readers get every message, unless kMostWaiting wait.
+  RosTransport(bool transforms, bool lossless) : transforms_(transforms), lossless_(lossless) {}
 
   /// Topics are ~image, ~fan ... for a single sonar, and ~NAME/image ... for several.
   void begin(const LiveWorld& world) override { several_ = world.sonars.size() > 1; }
@@ -37,7 +40,7 @@ class RosTransport : public Transport {
   [[nodiscard]] std::string topic_name(const MessageChannel& channel) const;
 
   ros::NodeHandle node_;
-  bool transforms_;
+  bool transforms_, lossless_;
   bool several_ = false;
   std::map<std::string, Topic> topics_;        // By name; kept when a sonar changes.
   std::vector<std::vector<Topic*>> channels_;  // By sonar and channel; null: not published.

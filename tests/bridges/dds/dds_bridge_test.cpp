@@ -173,8 +173,18 @@ TEST_F(DdsBridgeTest, MessagesAreThoseOfTheRecordings) {
   EXPECT_LT(seconds, kPrompt);
 }
 
-// Six poses at once have six pings, with their stamps; whoever comes later knows the sonar and where it is mounted.
+// Of messages that begin with a header, those with stamps from a time on [s].
+std::vector<Bytes> from(std::int32_t time, const std::vector<Bytes>& messages) {
+  std::vector<Bytes> found;
+  std::ranges::copy_if(messages, std::back_inserter(found),
+                       [&](const Bytes& message) { return CdrReader(message).get<std::int32_t>() >= time; });
+  return found;
+}
+
+// Twenty poses at once have twenty pings, with their stamps; whoever comes later knows the sonar and where it is
+// mounted. Pings before tell that the bridge knows the readers: that they know it is not enough.
 TEST_F(DdsBridgeTest, EachPoseThatIsAskedForHasAPing) {
+  constexpr int kAsked = 20, kFirst = 1'000'000;  // [s]
   folder_.write("dive.yaml", scenario());
   StartedBridge bridge = start({"--ping-at", "/insonify/ping", "--vehicle-frame", "base_link"});
   const auto poses = node_.reader("rt/fls/pose", "geometry_msgs::msg::dds_::PoseStamped_");
@@ -183,15 +193,23 @@ TEST_F(DdsBridgeTest, EachPoseThatIsAskedForHasAPing) {
   ASSERT_TRUE(ping->wait_for_reader());
   ASSERT_TRUE(poses->wait_for_writer());
   ASSERT_TRUE(labels->wait_for_writer());
-  std::this_thread::sleep_for(kDiscovery);
-  for (int i = 0; i < kPings; ++i) {
-    ping->write(pose_stamped(70 + 0.5 * i, x_at(i), 1, radians_from_degrees(90)));
+  for (int i = 1; i < 600 && (poses->messages().empty() || labels->messages().empty()); ++i) {
+    ping->write(pose_stamped(i, 0, 0, 0));
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
   }
-  ASSERT_TRUE(poses->wait_for(kPings));
-  ASSERT_TRUE(labels->wait_for(kPings));
-  const std::vector<Bytes> messages = poses->messages();
-  for (int i = 0; i < kPings; ++i) {
-    const Bytes expected = pose_stamped(70 + 0.5 * i, x_at(i), 1, radians_from_degrees(90));
+  for (int i = 0; i < kAsked; ++i) {
+    ping->write(pose_stamped(kFirst + 0.5 * i, x_at(i), 1, radians_from_degrees(90)));
+  }
+  for (const auto* const reader : {&poses, &labels}) {
+    for (int i = 0; i < 600 && from(kFirst, (*reader)->messages()).size() < kAsked; ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+  }
+  EXPECT_EQ(from(kFirst, labels->messages()).size(), std::size_t{kAsked});
+  const std::vector<Bytes> messages = from(kFirst, poses->messages());
+  ASSERT_EQ(messages.size(), std::size_t{kAsked});
+  for (int i = 0; i < kAsked; ++i) {
+    const Bytes expected = pose_stamped(kFirst + 0.5 * i, x_at(i), 1, radians_from_degrees(90));
     EXPECT_TRUE(cut_to(messages[static_cast<std::size_t>(i)], expected.size()) == expected) << i;
   }
   const auto late = node_.reader("rt/fls/description", "std_msgs::msg::dds_::String_", {.transient_local = true});
@@ -209,7 +227,7 @@ TEST_F(DdsBridgeTest, EachPoseThatIsAskedForHasAPing) {
   EXPECT_EQ(cdr.text(), "fls");
   EXPECT_EQ(node_.user_data("rt/insonify/ping"),
             fmt::format("typehash={};", type_hash("geometry_msgs::msg::dds_::PoseStamped_")));
-  EXPECT_EQ(poses->messages().size(), std::size_t{kPings});
+  EXPECT_EQ(from(kFirst, poses->messages()).size(), std::size_t{kAsked});
 }
 
 // Heading to +y at 9 m/s: along the axes of the vehicle that is (9, 0, 0). While a sonar listens to 40 m it moves by

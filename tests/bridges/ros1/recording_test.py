@@ -57,7 +57,7 @@ class RecordingTest(kit.MasterTest):
         clock = kit.connected(kit.rospy.Publisher("/clock", kit.rosgraph_msgs.msg.Clock, queue_size=1))
         topics = [*TOPICS, "/insonify/raw"]
         record = kit.Program("rosbag", "record", "-O", "x.bag", "-l", PINGS, "__name:=recorder", *topics)
-        kit.wait_for(lambda: all("/recorder" in cls.master.connections("/insonify").get((topic, "o"), [])
+        kit.wait_for(lambda: all("/recorder" in kit.connections("/insonify").get((topic, "o"), [])
                                  for topic in topics), message="rosbag was not connected")
         images = kit.Listener("/insonify/image")
         for i in range(PINGS):

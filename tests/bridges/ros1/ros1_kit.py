@@ -90,14 +90,14 @@ sonars:
 
 
 def wait_for(what, seconds=PATIENCE, message="it did not happen"):
-    """The first true value of what(), looked for again and again."""
+    """The first true value of what(), looked for again and again. The message is a text, or a function that makes it in the end."""
     end = time.monotonic() + seconds
     while time.monotonic() < end:
         value = what()
         if value:
             return value
         time.sleep(0.02)
-    raise AssertionError(f"{message} within {seconds} s")
+    raise AssertionError(f"{message() if callable(message) else message} within {seconds} s")
 
 
 class Program:
@@ -153,17 +153,6 @@ class Master:
     def set(self, name, value):
         assert self.proxy.setParam("/test", name, value)[0] == 1
 
-    def connections(self, name):
-        """Topics by the node they go to, of those that a node's connections are made for."""
-        code, _, uri = self.proxy.lookupNode("/test", name)
-        if code != 1:
-            return {}
-        found = {}
-        for _, other, direction, _, topic, connected, *_ in xmlrpc.client.ServerProxy(uri).getBusInfo("/test")[2]:
-            if connected:
-                found.setdefault((topic, direction), []).append(other)
-        return found
-
     def received(self, name, topic):
         """How many messages of a topic a node has received, from all of its publishers."""
         uri = self.proxy.lookupNode("/test", name)[2]
@@ -179,21 +168,47 @@ class Master:
         self.program.end(signal.SIGKILL)
 
 
+def connections(name):
+    """Nodes by the topic and direction of those connections of a node that are made."""
+    code, _, uri = xmlrpc.client.ServerProxy(os.environ["ROS_MASTER_URI"]).lookupNode("/test", name)
+    if code != 1:
+        return {}
+    try:
+        links = xmlrpc.client.ServerProxy(uri).getBusInfo("/test")[2]
+    except OSError:  # One of that name was killed, and another has not begun.
+        return {}
+    found = {}
+    for _, other, direction, _, topic, connected, *_ in links:
+        if connected:
+            found.setdefault((topic, direction), []).append(other)
+    return found
+
+
+def subscribe(topic, kind, take):
+    """A subscriber of which the topic's publishers know: rospy counts connections that are not made yet."""
+    def is_known():
+        published = dict(xmlrpc.client.ServerProxy(os.environ["ROS_MASTER_URI"]).getSystemState("/test")[2][0])
+        return published.get(topic) and all(rospy.get_name() in connections(node).get((topic, "o"), [])
+                                            for node in published[topic])
+    subscriber = rospy.Subscriber(topic, kind, take)
+    wait_for(is_known, message=f"nobody publishes {topic}")
+    return subscriber
+
+
 class Listener:
     """Keeps the messages of a topic, as bytes."""
 
     def __init__(self, topic):
         self.messages = []
         self.times = []
-        self._subscriber = rospy.Subscriber(topic, rospy.AnyMsg, self._take, queue_size=100)
-        wait_for(lambda: self._subscriber.get_num_connections() > 0, message=f"nobody publishes {topic}")
+        self._subscriber = subscribe(topic, rospy.AnyMsg, self._take)
 
     def _take(self, message):
         self.times.append(time.time())
         self.messages.append(message._buff)
 
     def wait(self, count, seconds=PATIENCE):
-        wait_for(lambda: len(self.messages) >= count, seconds, f"only {len(self.messages)} messages of {count}")
+        wait_for(lambda: len(self.messages) >= count, seconds, lambda: f"only {len(self.messages)} messages of {count}")
         return self.messages[count - 1]
 
     def next(self, seconds=PATIENCE):

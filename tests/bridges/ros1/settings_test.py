@@ -73,8 +73,7 @@ class SettingsTest(kit.MasterTest):
         self.start()
         answers = []
         from std_msgs.msg import String
-        listener = kit.rospy.Subscriber("/insonify/set_result", String, lambda message: answers.append(message.data))
-        kit.wait_for(lambda: listener.get_num_connections())
+        kit.subscribe("/insonify/set_result", String, lambda message: answers.append(message.data))
         ask = kit.connected(kit.rospy.Publisher("/insonify/set", String, queue_size=5))
         images = kit.Listener("/insonify/image")
         for text, begin in (("max_range=7\nbeam_count=12", "done: max_range=7\nbeam_count=12"), ("", "refused: a message holds"),
