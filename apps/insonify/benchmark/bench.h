@@ -3,13 +3,14 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
 #include "insonify/sonar_config.h"
 
 namespace insonify {
+
+class BenchRows;
 
 struct BenchOptions {
   std::vector<int> triangles = {1'000, 100'000, 1'000'000};
@@ -23,7 +24,7 @@ struct BenchOptions {
 int bench_engine(const BenchOptions& options);
 
 /// Times both models, the second table of bench engine; appends its rows to `rows`.
-void bench_models(const BenchOptions& options, nlohmann::json& rows);
+void bench_models(const BenchOptions& options, BenchRows& rows);
 
 struct PaperBenchOptions {
   int samples = 500;  ///< Scenes per row.

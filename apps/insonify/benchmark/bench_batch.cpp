@@ -1,12 +1,10 @@
 // bench_batch.cpp -- times batches of pings against the same pings one by one.
 
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "benchmark/bench.h"
 #include "benchmark/bench_scene.h"
 #include "benchmark/bench_timing.h"
-#include "console/console.h"
 #include "insonify/simulator.h"
 
 namespace insonify {
@@ -89,25 +87,19 @@ BatchTimes time_batch(const BatchCase& of, const Scene& scene, int threads, int 
 int bench_batch(const BenchOptions& options) {
   say("{} pings one by one and as a batch, in turn; medians of {} of each.\n\n{:>9} {:<13} {:>7} | {:>9} {:>9} {:>6}\n",
       kBatchPings, options.repetitions, "triangles", "pings", "threads", "alone ms", "batch ms", "ratio");
-  nlohmann::json rows = nlohmann::json::array();
+  BenchRows rows;
+  rows.begin("batch", "{:>9} {:<13} {:>7} | {:>9.2f} {:>9.2f} {:>6.2f}\n",
+             {"triangles", "pings", "threads", "alone_ms", "batch_ms", "ratio"});
   for (const int count : options.triangles) {
     const Scene scene = make_bench_scene(count);
     for (const BatchCase& of : kCases) {
       for (const int threads : options.threads) {
         const BatchTimes times = time_batch(of, scene, threads, options.repetitions);
-        say("{:>9} {:<13} {:>7} | {:>9.2f} {:>9.2f} {:>6.2f}\n", scene.triangle_count(), of.name, threads, times.alone,
-            times.together, times.alone / times.together);
-        flush_output();
-        rows.push_back({{"table", "batch"},
-                        {"triangles", scene.triangle_count()},
-                        {"pings", of.name},
-                        {"threads", threads},
-                        {"alone_ms", times.alone},
-                        {"batch_ms", times.together}});
+        rows.add(scene.triangle_count(), of.name, threads, times.alone, times.together, times.alone / times.together);
       }
     }
   }
-  write_rows(options.json, rows);
+  rows.write(options.json);
   return 0;
 }
 

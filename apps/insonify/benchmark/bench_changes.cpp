@@ -2,12 +2,10 @@
 
 #include <array>
 #include <chrono>
-#include <nlohmann/json.hpp>
 
 #include "benchmark/bench.h"
 #include "benchmark/bench_scene.h"
 #include "benchmark/bench_timing.h"
-#include "console/console.h"
 #include "insonify/simulator.h"
 
 namespace insonify {
@@ -87,7 +85,9 @@ int bench_changes(const BenchOptions& options) {
   say("256 beams x 500 bins, all effects on, {} threads; medians of {}. What a change takes, and the ping after it.\n\n"
       "{:>9} {:<10} {:<13} | {:>9} {:>8}\n",
       kThreads, options.repetitions, "triangles", "model", "change", "change ms", "ping ms");
-  nlohmann::json rows = nlohmann::json::array();
+  BenchRows rows;
+  rows.begin("changes", "{:>9} {:<10} {:<13} | {:>9.2f} {:>8.2f}\n",
+             {"triangles", "model", "change", "change_ms", "ping_ms"});
   for (const int count : options.triangles) {
     const Scene scene = make_bench_scene(count);
     for (const auto& [model, name] :
@@ -98,19 +98,11 @@ int bench_changes(const BenchOptions& options) {
       scenario.sonars = {bench_sonar()};
       Simulator simulator(scenario, scene, kThreads);
       for (const Change& change : time_changes(simulator, options.repetitions)) {
-        const double own = median(change.own_ms), ping = median(change.ping_ms);
-        say("{:>9} {:<10} {:<13} | {:>9.2f} {:>8.2f}\n", scene.triangle_count(), name, change.name, own, ping);
-        flush_output();
-        rows.push_back({{"table", "changes"},
-                        {"triangles", scene.triangle_count()},
-                        {"model", name},
-                        {"change", change.name},
-                        {"change_ms", own},
-                        {"ping_ms", ping}});
+        rows.add(scene.triangle_count(), name, change.name, median(change.own_ms), median(change.ping_ms));
       }
     }
   }
-  write_rows(options.json, rows);
+  rows.write(options.json);
   return 0;
 }
 

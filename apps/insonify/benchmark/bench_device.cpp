@@ -2,13 +2,11 @@
 // steps.
 
 #include <chrono>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "benchmark/bench.h"
 #include "benchmark/bench_scene.h"
 #include "benchmark/bench_timing.h"
-#include "console/console.h"
 #include "insonify/simulator.h"
 
 namespace insonify {
@@ -75,23 +73,6 @@ DeviceRow time_row(const Scenario& scenario, const Scene& scene, int batch, int 
   return row;
 }
 
-nlohmann::json to_json(std::size_t triangles, const char* model, const char* engine, int batch, const DeviceRow& row) {
-  nlohmann::json steps = nlohmann::json::object();
-  for (const auto& [name, time] : row.steps) {
-    steps[name] = time;
-  }
-  return {{"table", "device"},
-          {"triangles", triangles},
-          {"model", model},
-          {"engine", engine},
-          {"batch", batch},
-          {"setup_ms", row.setup_ms},
-          {"ping_ms", row.ping_ms},
-          {"device_ms", row.device_ms},
-          {"pings_per_s", kMilliseconds / row.ping_ms},
-          {"steps_ms", steps}};
-}
-
 }  // namespace
 
 int bench_device(const BenchOptions& options) {
@@ -102,7 +83,9 @@ int bench_device(const BenchOptions& options) {
       "{:>9} {:<10} {:<6} {:>5} {:>9} {:>8} {:>9} {:>9}  {}\n",
       options.repetitions, "triangles", "model", "engine", "batch", "setup ms", "ping ms", "pings/s", "device ms",
       "steps [ms]");
-  nlohmann::json rows = nlohmann::json::array();
+  BenchRows rows;
+  rows.begin("device", "{:>9} {:<10} {:<6} {:>5} {:>9.1f} {:>8.3f} {:>9.1f} {:>9.3f} {}\n",
+             {"triangles", "model", "engine", "batch", "setup_ms", "ping_ms", "pings_per_s", "device_ms", "steps"});
   for (const int count : options.triangles) {
     const Scene scene = make_bench_scene(count);
     for (const auto& [model, model_name] :
@@ -115,15 +98,13 @@ int bench_device(const BenchOptions& options) {
           for (const auto& [name, time] : row.steps) {
             steps += fmt::format(" {} {:.3f}", name, time);
           }
-          say("{:>9} {:<10} {:<6} {:>5} {:>9.1f} {:>8.3f} {:>9.1f} {:>9.3f} {}\n", scene.triangle_count(), model_name,
-              engine, batch, row.setup_ms, row.ping_ms, kMilliseconds / row.ping_ms, row.device_ms, steps);
-          flush_output();
-          rows.push_back(to_json(scene.triangle_count(), model_name, engine, batch, row));
+          rows.add(scene.triangle_count(), model_name, engine, batch, row.setup_ms, row.ping_ms,
+                   kMilliseconds / row.ping_ms, row.device_ms, steps)["steps_ms"] = row.steps;
         }
       }
     }
   }
-  write_rows(options.json, rows);
+  rows.write(options.json);
   return 0;
 }
 

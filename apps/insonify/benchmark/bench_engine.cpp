@@ -2,31 +2,16 @@
 
 #include <algorithm>
 #include <chrono>
-#include <nlohmann/json.hpp>
 
 #include "benchmark/bench.h"
 #include "benchmark/bench_scene.h"
 #include "benchmark/bench_timing.h"
-#include "console/console.h"
 #include "insonify/simulator.h"
 
 namespace insonify {
 namespace {
 
 constexpr int kEngineBlock = 8;  // Consecutive pings, or consecutive floors.
-
-struct EngineRow {
-  int threads = 0;
-  std::size_t triangles = 0;
-  const char* secondary = "";
-  RayCounts rays = {};
-  double setup_ms = 0;
-  double ping_ms = 0, ping_least_ms = 0;  // Median and minimum.
-  double floor_ms = 0, floor_least_ms = 0;
-  double ratio = 0;                            // Median over blocks of ping / floor.
-  double ping_speedup = 0, floor_speedup = 0;  // Relative to the first number of threads, likewise.
-  double own_bytes = 0, library_bytes = 0;     // Per triangle.
-};
 
 // Timings with one number of threads on one scene, block by block.
 class EngineRunner {
@@ -53,24 +38,16 @@ class EngineRunner {
   }
 
   // @param first  Timings with the first number of threads.
-  [[nodiscard]] EngineRow row(const EngineRunner& first, const char* secondary) {
+  void add_row(const EngineRunner& first, const char* secondary, BenchRows& rows) const {
     const Scene& scene = simulator_.scene();
     const auto triangles = static_cast<double>(scene.triangle_count());
     const EngineMemory memory = simulator_.engine_memory();
-    return {.threads = threads_,
-            .triangles = scene.triangle_count(),
-            .secondary = secondary,
-            .rays = rays_,
-            .setup_ms = setup_ms_,
-            .ping_ms = median(pings_),
-            .ping_least_ms = std::ranges::min(pings_),
-            .floor_ms = median(floors_),
-            .floor_least_ms = std::ranges::min(floors_),
-            .ratio = median_ratio(ping_blocks_, floor_blocks_),
-            .ping_speedup = median_ratio(first.ping_blocks_, ping_blocks_),
-            .floor_speedup = median_ratio(first.floor_blocks_, floor_blocks_),
-            .own_bytes = static_cast<double>(mesh_bytes(scene) + memory.own) / triangles,
-            .library_bytes = static_cast<double>(memory.library) / triangles};
+    const double ping = median(pings_);
+    rows.add(scene.triangle_count(), threads_, secondary, rays_.primary, rays_.secondary, rays_.return_legs, setup_ms_,
+             ping, median(floors_), median_ratio(ping_blocks_, floor_blocks_), kMilliseconds / ping,
+             median_ratio(first.ping_blocks_, ping_blocks_), median_ratio(first.floor_blocks_, floor_blocks_),
+             static_cast<double>(mesh_bytes(scene) + memory.own) / triangles,
+             static_cast<double>(memory.library) / triangles, std::ranges::min(pings_), std::ranges::min(floors_));
   }
 
  private:
@@ -97,8 +74,8 @@ class EngineRunner {
 };
 
 // Alternates between numbers of threads block by block, so that varying load of a shared machine affects all alike.
-std::vector<EngineRow> time_rows(const Scene& scene, SecondaryEchoes secondary, const char* name,
-                                 const BenchOptions& options) {
+void time_rows(const Scene& scene, SecondaryEchoes secondary, const char* name, const BenchOptions& options,
+               BenchRows& rows) {
   Scenario scenario;
   scenario.model = EchoModel::kPaper;
   scenario.engine = "cpu";
@@ -113,33 +90,9 @@ std::vector<EngineRow> time_rows(const Scene& scene, SecondaryEchoes secondary, 
       runner->time_block();
     }
   }
-  std::vector<EngineRow> rows;
-  rows.reserve(runners.size());
   for (const auto& runner : runners) {
-    rows.push_back(runner->row(*runners.front(), name));
+    runner->add_row(*runners.front(), name, rows);
   }
-  return rows;
-}
-
-nlohmann::json to_json(const EngineRow& row) {
-  return {{"table", "engine"},
-          {"triangles", row.triangles},
-          {"threads", row.threads},
-          {"secondary", row.secondary},
-          {"rays_primary", row.rays.primary},
-          {"rays_secondary", row.rays.secondary},
-          {"rays_return", row.rays.return_legs},
-          {"setup_ms", row.setup_ms},
-          {"ping_ms", row.ping_ms},
-          {"ping_least_ms", row.ping_least_ms},
-          {"pings_per_s", kMilliseconds / row.ping_ms},
-          {"floor_ms", row.floor_ms},
-          {"floor_least_ms", row.floor_least_ms},
-          {"ratio", row.ratio},
-          {"ping_speedup", row.ping_speedup},
-          {"floor_speedup", row.floor_speedup},
-          {"bytes_per_triangle", row.own_bytes},
-          {"library_bytes_per_triangle", row.library_bytes}};
 }
 
 }  // namespace
@@ -153,25 +106,23 @@ int bench_engine(const BenchOptions& options) {
       options.repetitions, options.threads.front(), options.threads.front() == 1 ? "thread" : "threads", "triangles",
       "threads", "secondary", "rays", "reflected", "return", "setup ms", "ping ms", "floor ms", "ratio", "pings/s",
       "ping x", "floor x", "B/tri", "Embree B");
-  nlohmann::json rows = nlohmann::json::array();
+  BenchRows rows;
+  rows.begin("engine",
+             "{:>9} {:>7} {:>9} {:>8} {:>8} {:>8} | {:>8.2f} {:>8.2f} {:>8.2f} {:>6.2f} | {:>8.1f} {:>6.2f} {:>7.2f} | "
+             "{:>6.0f} {:>8.0f}\n",
+             {"triangles", "threads", "secondary", "rays_primary", "rays_secondary", "rays_return", "setup_ms",
+              "ping_ms", "floor_ms", "ratio", "pings_per_s", "ping_speedup", "floor_speedup", "bytes_per_triangle",
+              "library_bytes_per_triangle", "ping_least_ms", "floor_least_ms"});
   for (const int count : options.triangles) {
     const Scene scene = make_bench_scene(count);
     for (const auto& [secondary, name] :
          {std::pair{SecondaryEchoes::kNone, "none"}, std::pair{SecondaryEchoes::kSelective, "selective"},
           std::pair{SecondaryEchoes::kAll, "all"}}) {
-      for (const EngineRow& row : time_rows(scene, secondary, name, options)) {
-        say("{:>9} {:>7} {:>9} {:>8} {:>8} {:>8} | {:>8.2f} {:>8.2f} {:>8.2f} {:>6.2f} | {:>8.1f} {:>6.2f} {:>7.2f} | "
-            "{:>6.0f} {:>8.0f}\n",
-            row.triangles, row.threads, row.secondary, row.rays.primary, row.rays.secondary, row.rays.return_legs,
-            row.setup_ms, row.ping_ms, row.floor_ms, row.ratio, kMilliseconds / row.ping_ms, row.ping_speedup,
-            row.floor_speedup, row.own_bytes, row.library_bytes);
-        flush_output();
-        rows.push_back(to_json(row));
-      }
+      time_rows(scene, secondary, name, options, rows);
     }
   }
   bench_models(options, rows);
-  write_rows(options.json, rows);
+  rows.write(options.json);
   return 0;
 }
 

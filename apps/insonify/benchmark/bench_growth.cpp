@@ -5,14 +5,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <random>
 
 #include "benchmark/bench.h"
 #include "benchmark/bench_scene.h"
 #include "benchmark/bench_timing.h"
-#include "console/console.h"
 #include "insonify/simulator.h"
 
 namespace insonify {
@@ -163,7 +161,7 @@ double exponent(double time, double before, double size, double size_before) {
   return std::log(time / before) / std::log(size / size_before);
 }
 
-void run_growth(const Growth& growth, const GrowthBenchOptions& options, nlohmann::json& rows) {
+void run_growth(const Growth& growth, const GrowthBenchOptions& options, BenchRows& rows) {
   const int first = std::max(1, growth.first / options.divided_by);
   std::optional<std::pair<int, GrowthTimes>> before;
   for (int row = 0; row <= options.doublings; ++row) {
@@ -172,20 +170,17 @@ void run_growth(const Growth& growth, const GrowthBenchOptions& options, nlohman
       break;
     }
     const GrowthTimes times = time_case(growth.make(size), options);
-    nlohmann::json& written = rows.emplace_back(
-        nlohmann::json{{"grows", growth.name}, {"size", size}, {"setup_ms", times.set_up}, {"ping_ms", times.ping}});
-    say("{:<10} {:>9} | {:>9.1f} ", growth.name, size, times.set_up);
     if (before) {
       const auto slope = [&](double GrowthTimes::*time) {
         return exponent(times.*time, before->second.*time, size, before->first);
       };
-      written["setup_exponent"] = slope(&GrowthTimes::set_up);
-      written["ping_exponent"] = slope(&GrowthTimes::ping);
-      say("{:>8.2f} | {:>8.2f} {:>8.2f}\n", slope(&GrowthTimes::set_up), times.ping, slope(&GrowthTimes::ping));
+      rows.begin("", "{:<10} {:>9} | {:>9.1f} {:>8.2f} | {:>8.2f} {:>8.2f}\n",
+                 {"grows", "size", "setup_ms", "setup_exponent", "ping_ms", "ping_exponent"});
+      rows.add(growth.name, size, times.set_up, slope(&GrowthTimes::set_up), times.ping, slope(&GrowthTimes::ping));
     } else {
-      say("{:>8} | {:>8.2f}\n", "", times.ping);
+      rows.begin("", "{:<10} {:>9} | {:>9.1f}          | {:>8.2f}\n", {"grows", "size", "setup_ms", "ping_ms"});
+      rows.add(growth.name, size, times.set_up, times.ping);
     }
-    flush_output();
     before = {size, times};
   }
 }
@@ -207,13 +202,13 @@ int bench_growth(const GrowthBenchOptions& options) {
       "{:<10} {:>9} | {:>9} {:>8} | {:>8} {:>8}\n",
       options.threads, options.repetitions, kTriangles, "grows", "size", "set-up ms", "exponent", "ping ms",
       "exponent");
-  nlohmann::json rows = nlohmann::json::array();
+  BenchRows rows;
   for (const Growth& growth : kGrowths) {
     if (options.grows.empty() || std::ranges::find(options.grows, growth.name) != options.grows.end()) {
       run_growth(growth, options, rows);
     }
   }
-  write_rows(options.json, rows);
+  rows.write(options.json);
   return 0;
 }
 

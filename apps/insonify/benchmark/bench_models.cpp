@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
-#include <nlohmann/json.hpp>
 
 #include "benchmark/bench.h"
 #include "benchmark/bench_scene.h"
 #include "benchmark/bench_timing.h"
-#include "console/console.h"
 #include "insonify/simulator.h"
 
 namespace insonify {
@@ -87,29 +85,22 @@ double median_difference(const std::vector<double>& later, const std::vector<dou
 
 }  // namespace
 
-void bench_models(const BenchOptions& options, nlohmann::json& rows) {
+void bench_models(const BenchOptions& options, BenchRows& rows) {
   say("\nThe calibrated model (2 x 256 samples a beam by its rule) beside the paper's (4 x 200): primaries traced,\n"
       "`selective`, two surfaces. Each line has all that is above it and was timed in turn with the others; x: times\n"
       "the paper model's ping.\n\n"
       "{:>9} {:>7} {:<16} | {:>8} {:>8} {:>6}\n",
       "triangles", "threads", "", "ping ms", "more ms", "x");
+  rows.begin("models", "{:>9} {:>7} {:<16} | {:>8.2f} {:>8.2f} {:>6.2f}\n",
+             {"triangles", "threads", "stage", "ping_ms", "more_ms", "times_paper"});
   for (const int count : options.triangles) {
     const Scene scene = make_bench_scene(count);
     for (const int threads : options.threads) {
       const std::vector<std::vector<double>> times = time_stages(scene, threads, options.repetitions);
       for (std::size_t stage = 0; stage < kStageCount; ++stage) {
         const double more = stage == 0 ? 0 : median_difference(times[stage], times[stage - 1]);
-        const double ratio = median_ratio(times[stage], times[0]), ping_ms = median(times[stage]);
-        say("{:>9} {:>7} {:<16} | {:>8.2f} {:>8.2f} {:>6.2f}\n", scene.triangle_count(), threads, kStages[stage].name,
-            ping_ms, more, ratio);
-        flush_output();
-        rows.push_back({{"table", "models"},
-                        {"triangles", scene.triangle_count()},
-                        {"threads", threads},
-                        {"stage", kStages[stage].name},
-                        {"ping_ms", ping_ms},
-                        {"more_ms", more},
-                        {"times_paper", ratio}});
+        rows.add(scene.triangle_count(), threads, kStages[stage].name, median(times[stage]), more,
+                 median_ratio(times[stage], times[0]));
       }
     }
   }

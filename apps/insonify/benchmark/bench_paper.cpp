@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "benchmark/bench.h"
 #include "benchmark/bench_scene.h"
 #include "benchmark/bench_timing.h"
-#include "console/console.h"
 #include "insonify/simulator.h"
 
 namespace insonify {
@@ -78,23 +76,6 @@ void sample(PaperRow& row, const PaperBenchOptions& options, std::uint64_t numbe
   row.floor_ms.add(floors.back() * kMilliseconds);
 }
 
-nlohmann::json to_json(const PaperRow& row) {
-  return {{"beams", row.setup->beams},
-          {"bins", row.setup->bins},
-          {"azimuth_deg", row.setup->azimuth_deg},
-          {"elevation_deg", row.setup->elevation_deg},
-          {"mode", row.mode->name},
-          {"mean_ms", row.ping_ms.value()},
-          {"std_ms", row.ping_ms.deviation()},
-          {"setup_ms", row.setup_ms.value()},
-          {"pings_per_s", kMilliseconds / row.ping_ms.value()},
-          {"rays_primary", row.rays_primary.value()},
-          {"rays_secondary", row.rays_secondary.value()},
-          {"floor_ms", row.floor_ms.value()},
-          {"samples", row.ping_ms.count},
-          {"scene", ""}};
-}
-
 // Time that the paper prints for the same method; none for `full`, which the paper does not have.
 std::string printed(const PaperRow& row) {
   const std::string mode = row.mode->name;
@@ -107,12 +88,12 @@ std::string name_of(const PaperSetup& setup) {
                      setup.azimuth_deg, setup.elevation_deg);
 }
 
-void print_row(const PaperRow& row) {
-  say("{} {:<8}| {:>8.3f} {:>7.3f} {:>9.1f} | {:>8.2f} {:>8.2f} | {:>8.0f} {:>9.0f} | {:>8.3f} | {:>7}\n",
-      name_of(*row.setup), row.mode->name, row.ping_ms.value(), row.ping_ms.deviation(),
-      kMilliseconds / row.ping_ms.value(), row.setup_ms.value(), row.setup_ms.value() + row.ping_ms.value(),
-      row.rays_primary.value(), row.rays_secondary.value(), row.floor_ms.value(), printed(row));
-  flush_output();
+void add_row(const PaperRow& row, const char* scene, BenchRows& rows) {
+  const PaperSetup& setup = *row.setup;
+  const double ping_ms = row.ping_ms.value(), setup_ms = row.setup_ms.value();
+  rows.add(name_of(setup), row.mode->name, ping_ms, row.ping_ms.deviation(), kMilliseconds / ping_ms, setup_ms,
+           setup_ms + ping_ms, row.rays_primary.value(), row.rays_secondary.value(), row.floor_ms.value(), printed(row),
+           setup.beams, setup.bins, setup.azimuth_deg, setup.elevation_deg, row.ping_ms.count, scene);
 }
 
 std::string markdown_of(const std::vector<PaperRow>& rows) {
@@ -148,7 +129,11 @@ int bench_paper(const PaperBenchOptions& options) {
       options.threads, "sonar", "mode", "ms", "std", "pings/s", "set-up", "both", "1st rays", "2nd rays", "floor ms",
       "printed");
   std::vector<PaperRow> rows;
-  nlohmann::json json = nlohmann::json::array();
+  BenchRows written;
+  written.begin(
+      "", "{} {:<8}| {:>8.3f} {:>7.3f} {:>9.1f} | {:>8.2f} {:>8.2f} | {:>8.0f} {:>9.0f} | {:>8.3f} | {:>7}\n",
+      {"sonar", "mode", "mean_ms", "std_ms", "pings_per_s", "setup_ms", "both_ms", "rays_primary", "rays_secondary",
+       "floor_ms", "printed_ms", "beams", "bins", "azimuth_deg", "elevation_deg", "samples", "scene"});
   for (const PaperSetup& setup : paper_setups()) {
     std::vector<PaperRow> three;
     for (const Mode& mode : kModes) {
@@ -160,13 +145,11 @@ int bench_paper(const PaperBenchOptions& options) {
       }
     }
     for (const PaperRow& row : three) {
-      print_row(row);
-      json.push_back(to_json(row));
-      json.back()["scene"] = options.filled ? "filled" : "random";
+      add_row(row, options.filled ? "filled" : "random", written);
     }
     rows.insert(rows.end(), three.begin(), three.end());
   }
-  write_rows(options.json, json);
+  written.write(options.json);
   write_text(options.markdown, markdown_of(rows));
   return 0;
 }

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "benchmark/bench.h"
 #include "benchmark/bench_scene.h"
 #include "benchmark/bench_timing.h"
-#include "console/console.h"
 #include "insonify/simulator.h"
 
 namespace insonify {
@@ -72,7 +70,10 @@ int bench_primary(const BenchOptions& options) {
       "auto: what `primary: auto` takes; regret: how much longer that is than the better of the two.\n\n"
       "{:<20} {:>9} {:>9} | {:>9} {:>9} | {:>6} {:>7}\n",
       options.repetitions, "fan", "samples", "triangles", "rays ms", "raster ms", "auto", "regret");
-  nlohmann::json rows = nlohmann::json::array();
+  BenchRows rows;
+  rows.begin("", "{:<20} {:>9} {:>9} | {:>9.3f} {:>9.3f} | {:>6} {:>5.0f} %\n",
+             {"fan", "samples", "triangles", "rays_ms", "raster_ms", "auto", "regret_percent", "regret", "beams",
+              "azimuth_deg"});
   double worst = 0;
   for (const int count : options.triangles) {
     const Scene scene = make_bench_scene(count);
@@ -91,21 +92,12 @@ int bench_primary(const BenchOptions& options) {
       const Sampling sampling = fan.sonar.sampling;
       const int samples = fan.sonar.beam_count * sampling.columns_per_beam.value_or(Sampling::kColumns) *
                           sampling.rows.value_or(Sampling::kRows);
-      say("{:<20} {:>9} {:>9} | {:>9.3f} {:>9.3f} | {:>6} {:>5.0f} %\n", fan.name, samples, scene.triangle_count(),
-          rays_ms, raster_ms, chosen.drew() ? "raster" : "rays", 100 * regret);
-      flush_output();
-      rows.push_back({{"beams", fan.sonar.beam_count},
-                      {"samples", samples},
-                      {"azimuth_deg", degrees_from_radians(fan.sonar.azimuth_aperture)},
-                      {"triangles", scene.triangle_count()},
-                      {"rays_ms", rays_ms},
-                      {"raster_ms", raster_ms},
-                      {"auto", chosen.drew() ? "raster" : "rays"},
-                      {"regret", regret}});
+      rows.add(fan.name, samples, scene.triangle_count(), rays_ms, raster_ms, chosen.drew() ? "raster" : "rays",
+               100 * regret, regret, fan.sonar.beam_count, degrees_from_radians(fan.sonar.azimuth_aperture));
     }
   }
   say("\nlargest regret {:.0f} %\n", 100 * worst);
-  write_rows(options.json, rows);
+  rows.write(options.json);
   return 0;
 }
 

@@ -7,13 +7,11 @@
 #include <cmath>
 #include <ctime>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <span>
 
 #include "benchmark/bench.h"
 #include "benchmark/bench_scene.h"
 #include "benchmark/bench_timing.h"
-#include "console/console.h"
 #include "insonify/error.h"
 #include "insonify/files.h"
 #include "insonify/scenario_requests.h"
@@ -211,40 +209,21 @@ void time_candidates(std::vector<Candidate>& candidates, std::span<const PingReq
   }
 }
 
-// Prints the rows of one case and appends them to `rows`.
-void report(const Case& of, const std::vector<Candidate>& candidates, std::size_t pings, nlohmann::json& rows) {
+// Prints the rows of one case and adds them to `rows`.
+void report(const Case& of, const std::vector<Candidate>& candidates, std::size_t pings, BenchRows& rows) {
+  const double per_ping = 1 / static_cast<double>(pings);
   for (const Candidate& candidate : candidates) {
-    const double time = median(candidate.milliseconds), processor = median(candidate.processor);
-    const double per_ping = 1 / static_cast<double>(pings);
-    const auto print_error = [](const SamplingError& error) {
-      say(" | {:>7.2f} {:>7.2f} {:>7.2f}", error.rms_db(), 100 * error.spots(), error.level_db());
-    };
-    say("{:<24} {:>14} | {:>8.2f} {:>8.2f} {:>9.0f} {:>9.0f}", of.name, candidate.name, time, processor,
-        static_cast<double>(candidate.rays.secondary) * per_ping,
-        static_cast<double>(candidate.rays.return_legs) * per_ping);
-    print_error(candidate.all);
-    print_error(candidate.secondary);
-    say("\n");
-    rows.push_back({{"scene", of.name},
-                    {"columns_per_beam", *candidate.sampling.columns_per_beam},
-                    {"rows", *candidate.sampling.rows},
-                    {"ping_ms", time},
-                    {"processor_ms", processor},
-                    {"rays_secondary", static_cast<double>(candidate.rays.secondary) * per_ping},
-                    {"return_legs", static_cast<double>(candidate.rays.return_legs) * per_ping},
-                    {"rms_db", candidate.all.rms_db()},
-                    {"spots", candidate.all.spots()},
-                    {"holes", candidate.all.holes()},
-                    {"level_db", candidate.all.level_db()},
-                    {"secondary_rms_db", candidate.secondary.rms_db()},
-                    {"secondary_spots", candidate.secondary.spots()},
-                    {"secondary_holes", candidate.secondary.holes()},
-                    {"secondary_level_db", candidate.secondary.level_db()}});
+    const SamplingError &all = candidate.all, &secondary = candidate.secondary;
+    rows.add(of.name, candidate.name, median(candidate.milliseconds), median(candidate.processor),
+             static_cast<double>(candidate.rays.secondary) * per_ping,
+             static_cast<double>(candidate.rays.return_legs) * per_ping, all.rms_db(), 100 * all.spots(),
+             all.level_db(), secondary.rms_db(), 100 * secondary.spots(), secondary.level_db(),
+             *candidate.sampling.columns_per_beam, *candidate.sampling.rows, all.spots(), all.holes(),
+             secondary.spots(), secondary.holes());
   }
-  flush_output();
 }
 
-void run_case(const Case& of, const SamplingBenchOptions& options, nlohmann::json& rows) {
+void run_case(const Case& of, const SamplingBenchOptions& options, BenchRows& rows) {
   std::vector<PingRequest> requests = requests_of(of.scenario, options.pings);
   Case every_hit = of;  // The converged pings trace a reflected ray from every hit.
   if (of.scenario.secondary == SecondaryEchoes::kSelective) {
@@ -272,14 +251,20 @@ int bench_sampling(const SamplingBenchOptions& options) {
       kPictureRange);
   say("{:<24} {:>14} | {:>8} {:>8} {:>9} {:>9} | {:>7} {:>7} {:>7} | {:>7} {:>7} {:>7}\n", "scene", "samples",
       "ping ms", "cpu ms", "reflected", "returned", "rms", "spots", "sum", "2nd rms", "spots", "sum");
-  nlohmann::json rows = nlohmann::json::array();
+  BenchRows rows;
+  rows.begin("",
+             "{:<24} {:>14} | {:>8.2f} {:>8.2f} {:>9.0f} {:>9.0f} | {:>7.2f} {:>7.2f} {:>7.2f} | {:>7.2f} {:>7.2f} "
+             "{:>7.2f}\n",
+             {"scene", "samples", "ping_ms", "processor_ms", "rays_secondary", "return_legs", "rms_db", "spots_percent",
+              "level_db", "secondary_rms_db", "secondary_spots_percent", "secondary_level_db", "columns_per_beam",
+              "rows", "spots", "holes", "secondary_spots", "secondary_holes"});
   for (const int count : options.triangles) {
     run_case(generated_case(count), options, rows);
   }
   for (const std::filesystem::path& file : options.scenarios) {
     run_case(case_of(file), options, rows);
   }
-  write_rows(options.json, rows);
+  rows.write(options.json);
   return 0;
 }
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <fstream>
 #include <functional>
-#include <nlohmann/json.hpp>
+#include <utility>
 
 #include "insonify/error.h"
 
@@ -52,8 +52,25 @@ void write_text(const std::filesystem::path& path, const std::string& text) {
   }
 }
 
-void write_rows(const std::filesystem::path& path, const nlohmann::json& rows) {
-  write_text(path, rows.dump(2) + '\n');
+void BenchRows::begin(std::string name, std::string format, std::vector<std::string> keys) {
+  name_ = std::move(name);
+  format_ = std::move(format);
+  keys_ = std::move(keys);
+}
+
+nlohmann::json& BenchRows::add_json(const std::vector<nlohmann::json>& values) {
+  nlohmann::json& row = rows_.emplace_back(nlohmann::json::object());
+  if (!name_.empty()) {
+    row["table"] = name_;
+  }
+  for (std::size_t i = 0; i < keys_.size(); ++i) {
+    row[keys_[i]] = values.at(i);
+  }
+  return row;
+}
+
+void BenchRows::write(const std::filesystem::path& path) const {
+  write_text(path, rows_.dump(2) + '\n');
 }
 
 }  // namespace insonify

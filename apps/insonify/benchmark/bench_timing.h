@@ -4,10 +4,11 @@
 
 #include <chrono>
 #include <filesystem>
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "console/console.h"
 #include "insonify/simulator.h"
 
 namespace insonify {
@@ -29,7 +30,34 @@ inline constexpr int kWarmUpPings = 2;
 /// @throws Error if the file cannot be written.
 void write_text(const std::filesystem::path& path, const std::string& text);
 
-/// Writes a list of rows as JSON, likewise.
-void write_rows(const std::filesystem::path& path, const nlohmann::json& rows);
+/// Rows of a benchmark: each is printed at once, all are written as JSON at the end.
+class BenchRows {
+ public:
+  /// Begins a table.
+  /// @param name    Value of "table" in each of its rows; empty for none.
+  /// @param format  Of a printed row. Values behind the last that it prints are in the JSON only.
+  /// @param keys    Names of a row's values in the JSON.
+  void begin(std::string name, std::string format, std::vector<std::string> keys);
+
+  /// @param values  As many as there are keys.
+  /// @return  The row as it will be written, to add more to it.
+  template <typename... Values>
+  nlohmann::json& add(const Values&... values) {
+    say_text(fmt::format(fmt::runtime(format_), values...));
+    flush_output();
+    return add_json({nlohmann::json(values)...});
+  }
+
+  /// Writes nothing if the path is empty.
+  /// @throws Error if the file cannot be written.
+  void write(const std::filesystem::path& path) const;
+
+ private:
+  nlohmann::json& add_json(const std::vector<nlohmann::json>& values);
+
+  std::string name_, format_;
+  std::vector<std::string> keys_;
+  nlohmann::json rows_ = nlohmann::json::array();
+};
 
 }  // namespace insonify
