@@ -130,6 +130,7 @@ PUBLIC = {
     "rock.h": "io",
     "world_parts.h": "io",
     "live_loop.h": "live",
+    "live_sender.h": "live",
     "recorded_pings.h": "io",
     "stored_tables.h": "io",
     "similarity.h": "similarity",

@@ -25,6 +25,7 @@
 #include "insonify/interferer.h"
 #include "insonify/interrupted.h"
 #include "insonify/live_loop.h"
+#include "insonify/live_sender.h"
 #include "insonify/log.h"
 #include "insonify/marker.h"
 #include "insonify/material.h"

@@ -43,7 +43,7 @@ std::string topic_name(const insonify::LiveWorld& world, const insonify::SonarCo
 // The settings that a change of parameters asks for. @throws Error for gains out of limits.
 struct Change {
   std::vector<std::string> settings;
-  std::map<std::string, double> gains_db;
+  std::map<std::size_t, double> gains_db;  // By sonar.
 };
 
 Change change_of(const std::vector<rclcpp::Parameter>& parameters, const insonify::LiveWorld& world) {
@@ -63,7 +63,7 @@ Change change_of(const std::vector<rclcpp::Parameter>& parameters, const insonif
         if (!(std::abs(parameter.as_double()) <= kHighestGain)) {
           throw Error(parameter.get_name() + " must be from -100 to 100 dB");
         }
-        change.gains_db[name] = parameter.as_double();
+        change.gains_db[i] = parameter.as_double();
       }
     }
   }
@@ -73,26 +73,19 @@ Change change_of(const std::vector<rclcpp::Parameter>& parameters, const insonif
 }  // namespace
 
 SonarNode::SonarNode(const rclcpp::NodeOptions& options) : rclcpp::Node("insonify", options) {
-  declare_constants();
-  insonify::LiveOptions live;
-  live.on_request = on_request_;
-  live.driven = on_request_ || !get_parameter("odometry").as_string().empty();
-  live.clocked = clocked_;
-  if (const double rate = get_parameter("rate").as_double(); rate > 0) {
-    live.rate_limit = rate;
-  }
-  loop_ = std::make_unique<insonify::LiveLoop>(get_parameter("scenario").as_string(),
-                                               get_parameter("settings").as_string_array(), live,
-                                               [this](insonify::Severity severity, const std::string& text) {
-                                                 if (severity == insonify::Severity::kWarning) {
-                                                   on_note(text);
-                                                 } else {
-                                                   RCLCPP_INFO(get_logger(), "%s", text.c_str());
-                                                 }
-                                               });
-  publishing_ = std::thread([this] { publish_until_end(); });
+  const insonify::LiveSenderOptions sender_options = declare_constants();
+  insonify::Transport& topics = *this;
+  sender_ = std::make_unique<insonify::LiveSender>(get_parameter("scenario").as_string(),
+                                                   get_parameter("settings").as_string_array(), sender_options, topics,
+                                                   [this](insonify::Severity severity, const std::string& text) {
+                                                     if (severity == insonify::Severity::kWarning) {
+                                                       warn(text);
+                                                     } else {
+                                                       RCLCPP_INFO(get_logger(), "%s", text.c_str());
+                                                     }
+                                                   });
   try {
-    loop_->start(*this);
+    sender_->start();
     declare_settings();
     on_change_ = add_on_set_parameters_callback(
         [this](const std::vector<rclcpp::Parameter>& parameters) { return change(parameters); });
@@ -111,16 +104,10 @@ void SonarNode::end() {
   odometry_.reset();
   asked_.reset();
   clock_.reset();
-  {
-    const std::lock_guard lock(mutex_);
-    ending_ = true;
-  }
-  changed_.notify_all();
-  loop_->end();
-  publishing_.join();
+  sender_->end();
 }
 
-void SonarNode::declare_constants() {
+insonify::LiveSenderOptions SonarNode::declare_constants() {
   declare_parameter("scenario", std::string(), described("Scenario file", true));
   declare_parameter("settings", std::vector<std::string>(),
                     described("Changes of the scenario's keys, KEY=VALUE each", false));
@@ -128,25 +115,34 @@ void SonarNode::declare_constants() {
   declare_parameter("odometry", std::string(), described("Topic of nav_msgs/Odometry with the vehicle's pose", true));
   declare_parameter("ping_at", std::string(), described("Topic of geometry_msgs/PoseStamped, a ping for each", true));
   declare_parameter("at_once", false, described("Whether pings do not wait for their last echo", true));
-  message_options_.bits = static_cast<int>(
+  insonify::LiveSenderOptions options;
+  options.messages.bits = static_cast<int>(
       declare_parameter("bits", std::int64_t{8}, described("Bits of a value of an image: 8 or 16", true)));
-  message_options_.world_frame =
+  options.messages.world_frame =
       declare_parameter("world_frame", std::string("world"), described("Frame of the world", true));
-  message_options_.vehicle_frame =
+  options.messages.vehicle_frame =
       declare_parameter("vehicle_frame", std::string(), described("Frame of the vehicle, for /tf_static", true));
-  message_options_.raw = message_options_.live = true;
-  message_options_.validate();
-  at_once_ = get_parameter("at_once").as_bool();
-  on_request_ = !get_parameter("ping_at").as_string().empty();
-  clocked_ = !on_request_ && get_parameter("use_sim_time").as_bool();
-  if (on_request_ && !get_parameter("odometry").as_string().empty()) {
+  options.messages.raw = options.messages.live = true;
+  options.at_once = get_parameter("at_once").as_bool();
+  const bool on_request = !get_parameter("ping_at").as_string().empty();
+  const bool follows = !get_parameter("odometry").as_string().empty();
+  if (on_request && follows) {
     throw Error("ping_at and odometry exclude each other");
   }
+  clocked_ = !on_request && get_parameter("use_sim_time").as_bool();
+  options.live.on_request = options.lossless = on_request;
+  options.live.driven = on_request || follows;
+  options.live.clocked = clocked_;
+  if (const double rate = get_parameter("rate").as_double(); rate > 0) {
+    options.live.rate_limit = rate;
+  }
+  options.on_note = [this](const std::string& text) { warn(text); };
+  return options;
 }
 
 // Values that were given at the start are applied.
 void SonarNode::declare_settings() {
-  const auto world = loop_->world();
+  const auto world = sender_->loop().world();
   std::vector<rclcpp::Parameter> given;
   for (const insonify::SonarConfig& sonar : world->sonars) {
     const std::string range = topic_name(*world, sonar) + ".max_range", gain = topic_name(*world, sonar) + ".gain_db";
@@ -172,7 +168,7 @@ void SonarNode::subscribe() {
           drive(message.pose.pose, {vector(twist.linear), vector(twist.angular)}, seconds(message.header.stamp));
         });
   }
-  if (on_request_) {
+  if (!get_parameter("ping_at").as_string().empty()) {
     asked_ = create_subscription<geometry_msgs::msg::PoseStamped>(
         get_parameter("ping_at").as_string(), rclcpp::QoS(kAll).reliable(),
         [this](const geometry_msgs::msg::PoseStamped& message) {
@@ -182,7 +178,7 @@ void SonarNode::subscribe() {
   if (clocked_) {
     clock_ = create_subscription<rosgraph_msgs::msg::Clock>(
         "/clock", rclcpp::ClockQoS(),
-        [this](const rosgraph_msgs::msg::Clock& message) { loop_->advance(seconds(message.clock)); });
+        [this](const rosgraph_msgs::msg::Clock& message) { sender_->loop().advance(seconds(message.clock)); });
   }
 }
 
@@ -192,14 +188,14 @@ void SonarNode::drive(const geometry_msgs::msg::Pose& pose, const insonify::Twis
   const Eigen::Quaterniond orientation(turn.w, turn.x, turn.y, turn.z);
   std::string refusal;
   try {
-    loop_->drive({.world_from_vehicle = {vector(pose.position), orientation},
-                  .twist = {orientation * twist_in_vehicle.linear, orientation * twist_in_vehicle.angular},
-                  .stamp = stamp != 0 || clocked_ ? stamp : now().seconds()});
+    sender_->loop().drive({.world_from_vehicle = {vector(pose.position), orientation},
+                           .twist = {orientation * twist_in_vehicle.linear, orientation * twist_in_vehicle.angular},
+                           .stamp = stamp != 0 || clocked_ ? stamp : now().seconds()});
   } catch (const Error& error) {
     refusal = error.what();
   }
   if (!refusal.empty() && refusal != last_refusal_) {
-    on_note(refusal);
+    warn(refusal);
   }
   last_refusal_ = refusal;
 }
@@ -208,14 +204,12 @@ void SonarNode::drive(const geometry_msgs::msg::Pose& pose, const insonify::Twis
 rcl_interfaces::msg::SetParametersResult SonarNode::change(const std::vector<rclcpp::Parameter>& parameters) {
   rcl_interfaces::msg::SetParametersResult result;
   try {
-    const Change change = change_of(parameters, *loop_->world());
-    result.reason = change.settings.empty() ? "" : set_now(*loop_, change.settings);
-    if (result.reason.empty() && !change.gains_db.empty()) {
-      const std::lock_guard lock(mutex_);
-      for (const auto& [name, gain] : change.gains_db) {
-        gains_db_[name] = gain;
+    const Change change = change_of(parameters, *sender_->loop().world());
+    result.reason = change.settings.empty() ? "" : set_now(sender_->loop(), change.settings);
+    if (result.reason.empty()) {
+      for (const auto& [sonar, gain] : change.gains_db) {
+        sender_->set_gain(sonar, gain);
       }
-      opens_ = true;
     }
   } catch (const std::exception& error) {
     result.reason = error.what();
@@ -224,7 +218,7 @@ rcl_interfaces::msg::SetParametersResult SonarNode::change(const std::vector<rcl
   return result;
 }
 
-void SonarNode::on_note(const std::string& text) {
+void SonarNode::warn(const std::string& text) {
   RCLCPP_WARN(get_logger(), "%s", text.c_str());
 }
 

@@ -172,12 +172,12 @@ TEST_F(BridgeTest, ATransportThatIsTooSlowMakesNoQueue) {
   bridge->start();
   std::vector<Sent> images = transport_.wait_for(MessageKind::kSonarImage, 8);
   std::uint64_t made = bridge->loop().state().pings_made;
-  while (made - sequence(images.back()) > Bridge::kMostWaiting + 8 && images.size() < 100) {
+  while (made - sequence(images.back()) > LiveSender::kMostWaiting + 8 && images.size() < 100) {
     images = transport_.wait_for(MessageKind::kSonarImage, images.size() + 1);
     made = bridge->loop().state().pings_made;
   }
   bridge->end();
-  EXPECT_LE(made - sequence(images.back()), Bridge::kMostWaiting + 8);
+  EXPECT_LE(made - sequence(images.back()), LiveSender::kMostWaiting + 8);
   EXPECT_GT(sequence(images.back()), 12U);
   const std::string text = bridge->report().text();
   const std::size_t end = text.find(" pings dropped");

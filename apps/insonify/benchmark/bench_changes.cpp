@@ -14,7 +14,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* kBuoy = "buoy";
-constexpr int kThreads = 2;
+constexpr int kThreadsOfChanges = 2;
 
 // A change made before a ping, and the times of each change and the ping after it [ms].
 struct Change {
@@ -84,7 +84,7 @@ std::array<Change, 5> time_changes(Simulator& simulator, int repetitions) {
 int bench_changes(const BenchOptions& options) {
   say("256 beams x 500 bins, all effects on, {} threads; medians of {}. What a change takes, and the ping after it.\n\n"
       "{:>9} {:<10} {:<13} | {:>9} {:>8}\n",
-      kThreads, options.repetitions, "triangles", "model", "change", "change ms", "ping ms");
+      kThreadsOfChanges, options.repetitions, "triangles", "model", "change", "change ms", "ping ms");
   BenchRows rows;
   rows.begin("changes", "{:>9} {:<10} {:<13} | {:>9.2f} {:>8.2f}\n",
              {"triangles", "model", "change", "change_ms", "ping_ms"});
@@ -96,7 +96,7 @@ int bench_changes(const BenchOptions& options) {
       scenario.model = model;
       scenario.engine = "cpu";
       scenario.sonars = {bench_sonar()};
-      Simulator simulator(scenario, scene, kThreads);
+      Simulator simulator(scenario, scene, kThreadsOfChanges);
       for (const Change& change : time_changes(simulator, options.repetitions)) {
         rows.add(scene.triangle_count(), name, change.name, median(change.own_ms), median(change.ping_ms));
       }

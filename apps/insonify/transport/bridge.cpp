@@ -1,11 +1,8 @@
-// bridge.cpp -- queues pings, up to a limit, and encodes and sends their messages.
+// bridge.cpp -- reports what a live sender does to the user, and passes settings to its loop.
 
 #include "transport/bridge.h"
 
 #include <algorithm>
-#include <chrono>
-#include <iterator>
-#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -14,10 +11,6 @@
 
 namespace insonify {
 namespace {
-
-double unix_time() {
-  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
 
 std::vector<std::string> lines_of(std::string_view text) {
   std::vector<std::string> lines;
@@ -31,244 +24,32 @@ std::vector<std::string> lines_of(std::string_view text) {
   return lines;
 }
 
-// A Unix time by the report's clock.
-WallClock::time_point wall_time(double unix) {
-  return WallClock::now() -
-         std::chrono::duration_cast<WallClock::duration>(std::chrono::duration<double>(unix_time() - unix));
-}
-
 }  // namespace
 
-Bridge::Bridge(const BridgeOptions& options, Transport& transport, MessageForm form)
-    : options_(options), transport_(transport), form_(form) {
+Bridge::Bridge(const BridgeOptions& options, Transport& transport, MessageForm form) : quiet_(options.quiet) {
   checked_input([&] {
-    options_.messages.validate();
-    loop_ = std::make_unique<LiveLoop>(options.scenario, options.settings, options.live, log_to_user(options.quiet));
+    sender_ = std::make_unique<LiveSender>(
+        options.scenario, options.settings,
+        LiveSenderOptions{
+            .live = options.live,
+            .messages = options.messages,
+            .form = form,
+            .at_once = options.at_once,
+            .lossless = options.lossless,
+            .on_note = complain,
+            .on_idle = [this] { when_idle_(); },
+            .on_dropped = [this] { report_.note_drop(); },
+            .on_sent = [this](auto transmitted, double computing) { report_.note(transmitted, computing); }},
+        transport, log_to_user(options.quiet));
   });
 }
 
-Bridge::~Bridge() {
-  try {
-    end();
-  } catch (const Error&) {
-    return;  // As the destructor of a LiveLoop.
-  }
-}
-
 void Bridge::start() {
-  translating_ = std::thread([this] { translate(); });
-  loop_->start(*this);
-  if (const std::string choice = loop_->world()->engine_choice; !options_.quiet && !choice.empty()) {
+  sender_->start();
+  if (const std::string choice = loop().world()->engine_choice; !quiet_ && !choice.empty()) {
     say("{}\n", choice);
     flush_output();
   }
-}
-
-void Bridge::end() {
-  if (!translating_.joinable()) {
-    return;
-  }
-  {
-    const std::lock_guard lock(mutex_);
-    ending_ = true;
-  }
-  changed_.notify_all();
-  loop_->end();
-  translating_.join();
-}
-
-void Bridge::set_gain(std::size_t sonar, double gain_db) {
-  const std::lock_guard lock(mutex_);
-  gains_db_[sonar] = gain_db;
-  gains_changed_ = true;
-}
-
-// The clock of the pings [s]: another program's, or the time since some moment.
-double Bridge::now() const {
-  return options_.live.clocked ? clock_ : std::chrono::duration<double>(WallClock::now().time_since_epoch()).count();
-}
-
-// Number of pings that can be sent now.
-std::size_t Bridge::due() const {
-  return static_cast<std::size_t>(std::distance(waiting_.begin(), waiting_.upper_bound(now())));
-}
-
-void Bridge::on_ping(const std::shared_ptr<const LivePing>& ping) {
-  const SonarConfig& sonar = ping->world->sonars[static_cast<std::size_t>(ping->sonar)];
-  const double travel = options_.at_once ? 0 : 2 * sonar.max_range / *sonar.assumed_sound_speed;
-  std::unique_lock lock(mutex_);
-  if (options_.lossless) {
-    changed_.wait(lock, [this] { return ending_ || due() < kMostWaiting; });
-  }
-  const double transmitted = options_.live.clocked ? ping->clock : now() - ping->computing_time;
-  waiting_.emplace(transmitted + travel, ping);
-  if (!options_.lossless && due() > kMostWaiting) {
-    waiting_.erase(waiting_.begin());
-    ++dropped_;
-  }
-  changed_.notify_all();
-}
-
-// Makes all pings due, in their order.
-void Bridge::release_all() {
-  for (const auto& [due, ping] : std::exchange(waiting_, {})) {
-    waiting_.emplace(-std::numeric_limits<double>::infinity(), ping);
-  }
-}
-
-void Bridge::on_world(const std::shared_ptr<const LiveWorld>& world) {
-  const std::lock_guard lock(mutex_);
-  release_all();  // Pings of the world before are sent first.
-  opened_ = world;
-  changed_.notify_all();
-}
-
-void Bridge::on_clock(double time) {
-  const std::lock_guard lock(mutex_);
-  if (time < clock_) {
-    release_all();
-  }
-  clock_ = time;
-  changed_.notify_all();
-}
-
-void Bridge::on_idle() {
-  if (when_idle_) {
-    when_idle_();
-  }
-}
-
-void Bridge::on_note(const std::string& text) {
-  complain(text);
-}
-
-// A failing framework fails at every ping: repeated problems are reported once.
-void Bridge::complain_once(const std::string& problem) {
-  if (problem != last_problem_) {
-    complain(problem);
-    last_problem_ = problem;
-  }
-}
-
-void Bridge::wait_for_work(std::unique_lock<std::mutex>& lock) {
-  while (!ending_ && !(opened_ && waiting_.empty()) && (waiting_.empty() || waiting_.begin()->first > now())) {
-    if (waiting_.empty() || options_.live.clocked) {
-      changed_.wait(lock);
-    } else {
-      changed_.wait_for(lock, std::chrono::duration<double>(waiting_.begin()->first - now()));
-    }
-  }
-}
-
-void Bridge::translate() {
-  std::unique_lock lock(mutex_);
-  while (true) {
-    wait_for_work(lock);
-    for (; dropped_ > 0; --dropped_) {
-      report_.note_drop();
-    }
-    if (ending_) {
-      return;
-    }
-    std::shared_ptr<const LivePing> ping;
-    std::shared_ptr<const LiveWorld> world;
-    if (waiting_.empty()) {
-      world = std::move(opened_);
-      opened_.reset();
-    } else {
-      ping = std::move(waiting_.extract(waiting_.begin()).mapped());
-      changed_.notify_all();  // There is room again.
-    }
-    if (gains_changed_) {
-      gains_changed_ = false;
-      applied_gains_db_ = gains_db_;
-      world_.reset();
-    }
-    lock.unlock();
-    try {
-      if (ping) {
-        send(*ping);
-      } else if (!world_ || world_->change < world->change) {
-        open(*world);
-        world_ = world;
-        send_latched(static_cast<std::uint64_t>(unix_time() * 1e9));
-      }
-    } catch (const std::exception& error) {
-      complain_once(error.what());
-    }
-    lock.lock();
-  }
-}
-
-MessageOptions Bridge::options_of(const MessageSource& source, std::size_t sonar) const {
-  MessageOptions options = options_.messages;
-  const auto gain = applied_gains_db_.find(sonar);
-  const MessageLevels levels = SonarMessages(source, options, form_).levels();
-  if (gain != applied_gains_db_.end() && levels.decibels) {
-    options.low_db = levels.low_db - gain->second;
-    options.high_db = levels.high_db - gain->second;
-  }
-  return options;
-}
-
-void Bridge::open(const LiveWorld& world) {
-  sent_latched_ = false;
-  messages_.clear();
-  transport_.begin(world);
-  std::vector<std::string> labels;
-  for (const Instance& instance : world.scene.instances) {
-    labels.push_back(instance.name);
-  }
-  for (const SonarConfig& sonar : world.sonars) {
-    MessageSource source = message_source(world.scenario, sonar);
-    source.labels = labels;
-    messages_.emplace_back(source, options_of(source, messages_.size()), form_);
-    transport_.open(messages_.size() - 1, messages_.back().channels());
-  }
-}
-
-// The scenario's text and the mountings of all sonars are one message each.
-void Bridge::send_latched(std::uint64_t time_ns) {
-  for (std::size_t sonar = 0; sonar < messages_.size() && !sent_latched_; ++sonar) {
-    const std::vector<MessageChannel>& channels = messages_[sonar].channels();
-    for (std::size_t channel = 0; channel < channels.size(); ++channel) {
-      const MessageKind kind = channels[channel].kind;
-      if (channels[channel].latched && (sonar == 0 || kind == MessageKind::kDescription)) {
-        transport_.send(
-            sonar, channel, time_ns,
-            kind == MessageKind::kTransforms ? SonarMessages::mountings(messages_) : messages_[sonar].encode(channel));
-      }
-    }
-  }
-  sent_latched_ = true;
-}
-
-// A message has the stamp of the pose that its ping was made from. Further pings from the same pose are later by the
-// interval between them. On the scenario's own trajectory, the stamp is the time of transmission. A stamp of 0 means
-// "the latest" to readers of transforms: the first one of a clock that begins at 0 is 1 ns.
-void Bridge::send(const LivePing& live) {
-  if (!world_ || live.world->change != world_->change) {
-    open(*live.world);
-    world_ = live.world;
-  }
-  const auto sonar = static_cast<std::size_t>(live.sonar);
-  SonarMessages& messages = messages_[sonar];
-  const double transmitted = live.made_at - live.computing_time;
-  const bool told = live.received_at > 0;
-  const bool new_pose = told && std::exchange(received_at_[live.sonar], live.received_at) != live.received_at;
-  const double by_clock = options_.live.clocked ? std::max(live.clock, live.stamp)
-                                                : transmitted + (told ? live.stamp - live.received_at : 0);
-  constexpr double kEarliest = 1e-9;
-  messages.take(live.ping, std::max(kEarliest, new_pose ? live.stamp : by_clock));
-  send_latched(messages.time_ns());
-  for (std::size_t channel = 0; channel < messages.channels().size(); ++channel) {
-    const MessageChannel& is = messages.channels()[channel];
-    if (!is.latched && transport_.is_read(sonar, channel) &&
-        (is.kind != MessageKind::kScan || messages.is_due(channel))) {
-      transport_.send(sonar, channel, messages.time_ns(), messages.encode(channel));
-    }
-  }
-  report_.note(wall_time(new_pose ? live.received_at : transmitted), live.computing_time);
 }
 
 void request_settings(LiveLoop& loop, const std::string& text, std::function<void(const std::string&)> answer) {
