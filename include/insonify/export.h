@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "insonify/log.h"
 #include "insonify/messages.h"
@@ -73,7 +74,16 @@ void export_recordings(std::span<const std::filesystem::path> recordings, const 
 void check_export(std::span<const RecordingPart> recordings, const std::filesystem::path& file,
                   const ExportOptions& options = {});
 
-/// Extensions known to export_recordings(), in lower case, with their dots.
-[[nodiscard]] std::span<const std::string_view> export_endings();
+/// A format of export_recordings().
+struct ExportKind {
+  std::string_view ending;    ///< In lower case, with its dot.
+  std::string_view contents;  ///< For users, one line.
+};
+
+/// All formats.
+[[nodiscard]] std::vector<ExportKind> export_kinds();
+
+/// Their endings for messages: ".mcap, .bag or .gif".
+[[nodiscard]] std::string export_endings(std::string_view before_last);
 
 }  // namespace insonify

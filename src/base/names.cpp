@@ -9,8 +9,12 @@
 namespace insonify {
 namespace {
 
+char lower(char letter) {
+  return static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+}
+
 bool alike(char a, char b) {
-  return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+  return lower(a) == lower(b);
 }
 
 // Optimal string alignment distance, by dynamic programming: row i of the table holds the distances of a's first i
@@ -37,12 +41,16 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
+std::string lower_case(std::string_view text) {
+  std::string result(text);
+  std::ranges::transform(result, result.begin(), lower);
+  return result;
+}
+
 std::string canonical_name(std::string_view name) {
-  std::string canonical(name);
-  for (char& letter : canonical) {
-    const bool gap = letter == '-' || letter == ' ';
-    letter = gap ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  }
+  std::string canonical = lower_case(name);
+  std::ranges::replace(canonical, '-', '_');
+  std::ranges::replace(canonical, ' ', '_');
   return canonical;
 }
 

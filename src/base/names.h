@@ -1,4 +1,5 @@
-// names.h -- compares names, suggests the known one that is most similar to a mistyped one, and hashes them.
+// names.h -- lower case; compares names, suggests the known one that is most similar to a mistyped one, and hashes
+// them.
 
 #pragma once
 
@@ -8,6 +9,9 @@
 #include <string_view>
 
 namespace insonify {
+
+/// The text with A to Z in lower case.
+[[nodiscard]] std::string lower_case(std::string_view text);
 
 /// The name in lower case, with '_' for each '-' and ' '. Two names mean the same if their canonical names are equal.
 [[nodiscard]] std::string canonical_name(std::string_view name);

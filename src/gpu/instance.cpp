@@ -6,11 +6,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <cstring>
 #include <utility>
 
+#include "base/names.h"
 #include "gpu/features.h"
 #include "insonify/error.h"
 
@@ -49,12 +49,6 @@ DeviceInfo describe(const Vulkan& vulkan, VkPhysicalDevice device) {
           .doubles = has_doubles(vulkan, device),
           .missing = missing_features(vulkan, device, properties.properties.apiVersion),
           .handle = device};
-}
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  std::ranges::transform(result, result.begin(), [](unsigned char c) { return std::tolower(c); });
-  return result;
 }
 
 std::string list_of(const std::vector<DeviceInfo>& devices) {
@@ -200,8 +194,8 @@ const DeviceInfo& choose_device(const std::vector<DeviceInfo>& devices, std::str
   }
   const bool number = std::ranges::all_of(wanted, [](unsigned char c) { return std::isdigit(c) != 0; });
   for (std::size_t i = 0; i < devices.size() && found == nullptr; ++i) {
-    const bool same =
-        number ? wanted == std::to_string(i) : lower(devices[i].name).find(lower(wanted)) != std::string::npos;
+    const bool same = number ? wanted == std::to_string(i)
+                             : lower_case(devices[i].name).find(lower_case(wanted)) != std::string::npos;
     found = same ? &devices[i] : nullptr;
   }
   if (found == nullptr) {

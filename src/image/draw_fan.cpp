@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "image/fan_frame.h"
 #include "image/fan_geometry.h"
 #include "image/fan_paint.h"
 #include "image/number_paint.h"
@@ -101,20 +100,9 @@ Picture draw_fan(const Ping& ping, const SonarConfig& sonar, const Display& disp
   const FanShape shape = fan_shape(sonar);
   const FanTable table(ping, sonar, shape);
   const FanCells cells{sonar.bin_length(), beams.covered() / sonar.beam_count};
-  const Tone tone(display);
-  if (!display.annotations) {
-    const BareFan fan = bare_fan(shape, display, sonar.bin_length());
-    Picture picture = blank_picture(fan.width, fan.height, palette::kBackground);
-    paint_fan(picture, fan.geometry, shape, cells, tone, table);
-    return picture;
-  }
-  Page page(display, heading_of(sonar, fmt::format("ping {}", ping.number), ping.time));
-  const FanMarks marks = marks_of(shape, shape.low, shape.high, Mounting::kHorizontal);
-  const FanLayout layout = lay_out_fan(shape, marks, page, display.height);
-  Picture picture = blank_picture(layout.width, layout.height, palette::kBackground);
-  paint_fan(picture, layout.geometry, shape, cells, tone, table);
-  draw_fan_frame(picture, layout, shape, marks, page);
-  return picture;
+  return fan_picture(display, heading_of(sonar, fmt::format("ping {}", ping.number), ping.time), shape,
+                     marks_of(shape, shape.low, shape.high, Mounting::kHorizontal), cells, table,
+                     [](Picture&, const FanGeometry&, const Page&) {});
 }
 
 }  // namespace insonify

@@ -54,23 +54,15 @@ NumberPicture draw_polar_numbers(const std::vector<std::uint16_t>& numbers, cons
 Picture draw_polar(const Ping& ping, const SonarConfig& sonar, const Display& display) {
   display.validate();
   check_ping(ping, sonar);
-  Page page(display, heading_of(sonar, fmt::format("ping {}", ping.number), ping.time));
   const PlotAxes axes{azimuth_ticks(sonar), range_ticks(sonar), "azimuth", "range (m)"};
-  const PlotLayout plot = plot_of(axes, page, display, ping.beam_count, ping.bin_count);
-  Picture picture = blank_picture(plot.width, plot.height, palette::kBackground);
-
-  const Tone tone(display);
   const std::vector<float> table = clean_intensities(ping);
   std::vector<float> profile(static_cast<std::size_t>(ping.bin_count));
-  const double step = static_cast<double>(ping.beam_count) / (plot.right - plot.left);
-  for (int x = plot.left; x < plot.right; ++x) {
-    average_beams(table, ping.beam_count, (x - plot.left) * step, (x + 1 - plot.left) * step, profile);
-    paint_column(picture, plot, x, profile, tone);
-  }
-  if (display.annotations) {
-    draw_plot_frame(picture, plot, axes, page);
-  }
-  return picture;
+  return plot_picture(display, heading_of(sonar, fmt::format("ping {}", ping.number), ping.time), axes, ping.beam_count,
+                      ping.bin_count, [&](int x, int width) {
+                        const double step = static_cast<double>(ping.beam_count) / width;
+                        average_beams(table, ping.beam_count, x * step, (x + 1) * step, profile);
+                        return std::span<const float>(profile);
+                      });
 }
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// fan_paint.h -- paints the pixels of a fan, with anti-aliasing.
+// fan_paint.h -- paints the pixels of a fan, with anti-aliasing, and makes its picture.
 
 #pragma once
 
@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "image/colours.h"
+#include "image/fan_frame.h"
 #include "image/fan_geometry.h"
 
 namespace insonify {
@@ -78,6 +79,28 @@ void paint_fan(Picture& picture, const FanGeometry& geometry, const FanShape& sh
       paint(x, y);
     }
   });
+}
+
+/// The picture of a fan, with title, marks and colour bar where the display has annotations.
+/// @param sample  As for paint_fan().
+/// @param mark    void(Picture&, const FanGeometry&, const Page&): draws on the fan, below the marks.
+template <typename Sample, typename Mark>
+[[nodiscard]] Picture fan_picture(const Display& display, const Heading& heading, const FanShape& shape,
+                                  const FanMarks& marks, FanCells cells, const Sample& sample, const Mark& mark) {
+  const Tone tone(display);
+  if (!display.annotations) {
+    const BareFan fan = bare_fan(shape, display, cells.length);
+    Picture picture = blank_picture(fan.width, fan.height, palette::kBackground);
+    paint_fan(picture, fan.geometry, shape, cells, tone, sample);
+    return picture;
+  }
+  Page page(display, heading);
+  const FanLayout layout = lay_out_fan(shape, marks, page, display.height);
+  Picture picture = blank_picture(layout.width, layout.height, palette::kBackground);
+  paint_fan(picture, layout.geometry, shape, cells, tone, sample);
+  mark(picture, layout.geometry, page);
+  draw_fan_frame(picture, layout, shape, marks, page);
+  return picture;
 }
 
 }  // namespace insonify

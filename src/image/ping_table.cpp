@@ -19,9 +19,14 @@ void check_ping(const Ping& ping, const SonarConfig& sonar) {
                             sonar.bin_count));
   }
   const std::size_t cells = static_cast<std::size_t>(ping.beam_count) * static_cast<std::size_t>(ping.bin_count);
-  if (ping.intensity.size() != cells) {
-    throw Error(fmt::format("ping {} of {} has {} intensities, must have {}", ping.number, sonar.name,
-                            ping.intensity.size(), cells));
+  const auto check = [&](std::size_t size, const char* values) {
+    if (size != cells) {
+      throw Error(fmt::format("ping {} of {} has {} {}, must have {}", ping.number, sonar.name, size, values, cells));
+    }
+  };
+  check(ping.intensity.size(), "intensities");
+  if (!ping.elevation.empty()) {
+    check(ping.elevation.size(), "elevations");
   }
 }
 

@@ -1,4 +1,4 @@
-// ping_table.h -- checks a ping before it is drawn, and replaces NaN intensities by 0.
+// ping_table.h -- checks a ping before it is drawn or sent, and replaces NaN intensities by 0.
 
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace insonify {
 
-/// @throws Error unless the ping's table is complete and has the sonar's beams and bins.
+/// @throws Error unless the ping's tables are complete and have the sonar's beams and bins.
 void check_ping(const Ping& ping, const SonarConfig& sonar);
 
 /// @throws Error unless there is a number for each beam and bin.

@@ -56,43 +56,7 @@ double mean_within(std::span<const float> cells, double from, double to) {
   return sum / (to - from);
 }
 
-}  // namespace
-
-std::vector<AxisTick> range_ticks(const SonarConfig& sonar) {
-  std::vector<AxisTick> ticks;
-  const double window = sonar.max_range - sonar.min_range;
-  for (const double range : multiples_within(sonar.min_range, sonar.max_range, ring_step(window))) {
-    ticks.push_back({(range - sonar.min_range) / window, number_text(range)});
-  }
-  return ticks;
-}
-
-PlotLayout lay_out_plot(const PlotAxes& axes, Page& page, int height) {
-  const Lettering& lettering = page.lettering();
-  const double em = page.em();
-  const double beside = (kTickLength + kTextGap) * em;
-  PlotLayout plot{static_cast<int>(std::lround(kShape * height)), height, 0, 0, 0, 0};
-  page.fit_title(plot.width);
-  plot.width = std::max(plot.width, static_cast<int>(std::ceil(page.least_width())));
-  plot.left = static_cast<int>(
-      std::ceil(page.margin() + lettering.height() + kCaptionGap * em + widest_text(lettering, axes.up) + beside));
-  plot.right = plot.width - static_cast<int>(std::ceil(page.bar_width() + kBarGap * em));
-  plot.top = static_cast<int>(std::ceil(page.title_height() + 1.2 * page.margin()));
-  plot.bottom =
-      height - static_cast<int>(std::ceil(page.margin() + 2 * lettering.height() + kCaptionGap * em + beside));
-  return plot;
-}
-
-PlotLayout bare_plot(const Display& display, int columns, int bins) {
-  const int width = display.pixel_per_bin ? columns : static_cast<int>(std::lround(kShape * display.height));
-  const int height = display.pixel_per_bin ? bins : display.height;
-  return {width, height, 0, 0, width, height};
-}
-
-PlotLayout plot_of(const PlotAxes& axes, Page& page, const Display& display, int columns, int bins) {
-  return display.annotations ? lay_out_plot(axes, page, display.height) : bare_plot(display, columns, bins);
-}
-
+// Paints one column of the plot's pixels from the bins of a profile.
 void paint_column(Picture& picture, const PlotLayout& plot, int x, std::span<const float> profile, const Tone& tone) {
   const int rows = plot.bottom - plot.top;
   const double step = static_cast<double>(profile.size()) / rows;
@@ -141,6 +105,56 @@ void draw_plot_frame(Picture& picture, const PlotLayout& plot, const PlotAxes& a
                  axes.across_caption, palette::kText);
   page.draw_bar(picture, plot.top, plot.bottom);
   page.draw_title(picture);
+}
+
+}  // namespace
+
+std::vector<AxisTick> range_ticks(const SonarConfig& sonar) {
+  std::vector<AxisTick> ticks;
+  const double window = sonar.max_range - sonar.min_range;
+  for (const double range : multiples_within(sonar.min_range, sonar.max_range, ring_step(window))) {
+    ticks.push_back({(range - sonar.min_range) / window, number_text(range)});
+  }
+  return ticks;
+}
+
+PlotLayout lay_out_plot(const PlotAxes& axes, Page& page, int height) {
+  const Lettering& lettering = page.lettering();
+  const double em = page.em();
+  const double beside = (kTickLength + kTextGap) * em;
+  PlotLayout plot{static_cast<int>(std::lround(kShape * height)), height, 0, 0, 0, 0};
+  page.fit_title(plot.width);
+  plot.width = std::max(plot.width, static_cast<int>(std::ceil(page.least_width())));
+  plot.left = static_cast<int>(
+      std::ceil(page.margin() + lettering.height() + kCaptionGap * em + widest_text(lettering, axes.up) + beside));
+  plot.right = plot.width - static_cast<int>(std::ceil(page.bar_width() + kBarGap * em));
+  plot.top = static_cast<int>(std::ceil(page.title_height() + 1.2 * page.margin()));
+  plot.bottom =
+      height - static_cast<int>(std::ceil(page.margin() + 2 * lettering.height() + kCaptionGap * em + beside));
+  return plot;
+}
+
+PlotLayout bare_plot(const Display& display, int columns, int bins) {
+  const int width = display.pixel_per_bin ? columns : static_cast<int>(std::lround(kShape * display.height));
+  const int height = display.pixel_per_bin ? bins : display.height;
+  return {width, height, 0, 0, width, height};
+}
+
+Picture plot_picture(const Display& display, const Heading& heading, const PlotAxes& axes, int columns, int bins,
+                     const ProfileAt& profile_at) {
+  Page page(display, heading);
+  const PlotLayout plot =
+      display.annotations ? lay_out_plot(axes, page, display.height) : bare_plot(display, columns, bins);
+  Picture picture = blank_picture(plot.width, plot.height, palette::kBackground);
+  const Tone tone(display);
+  const int width = plot.right - plot.left;
+  for (int x = 0; x < width; ++x) {
+    paint_column(picture, plot, plot.left + x, profile_at(x, width), tone);
+  }
+  if (display.annotations) {
+    draw_plot_frame(picture, plot, axes, page);
+  }
+  return picture;
 }
 
 }  // namespace insonify

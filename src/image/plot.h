@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -36,13 +37,14 @@ struct PlotLayout {
 [[nodiscard]] PlotLayout lay_out_plot(const PlotAxes& axes, Page& page, int height);
 /// Layout of a plot without axes that fills its picture: of the display's height, or with a pixel for each cell.
 [[nodiscard]] PlotLayout bare_plot(const Display& display, int columns, int bins);
-/// The layout for a display, with axes or without.
-[[nodiscard]] PlotLayout plot_of(const PlotAxes& axes, Page& page, const Display& display, int columns, int bins);
 
-/// Paints one column of the plot's pixels from the bins of a profile, the nearest bin at the bottom. Where bins are
-/// smaller than pixels, a pixel shows their mean. An empty profile is painted as not yet scanned.
-void paint_column(Picture& picture, const PlotLayout& plot, int x, std::span<const float> profile, const Tone& tone);
+/// Intensities of the bins that column x of a plot of `width` pixels shows, until the next call; empty: not yet
+/// scanned.
+using ProfileAt = std::function<std::span<const float>(int x, int width)>;
 
-void draw_plot_frame(Picture& picture, const PlotLayout& plot, const PlotAxes& axes, const Page& page);
+/// The picture of a plot, the nearest bin at the bottom, with title, axes and colour bar where the display has
+/// annotations. Where bins are smaller than pixels, a pixel shows their mean.
+[[nodiscard]] Picture plot_picture(const Display& display, const Heading& heading, const PlotAxes& axes, int columns,
+                                   int bins, const ProfileAt& profile_at);
 
 }  // namespace insonify

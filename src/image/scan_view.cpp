@@ -7,8 +7,6 @@
 #include <cmath>
 #include <limits>
 
-#include "image/canvas.h"
-#include "image/fan_frame.h"
 #include "image/fan_paint.h"
 #include "image/number_paint.h"
 #include "image/ping_table.h"
@@ -115,26 +113,16 @@ Picture ScanView::draw(const Display& display) const {
     return (1 - mix.share) * intensity(mix.ping, bin) + mix.share * intensity(mix.neighbour, bin);
   };
   const FanCells cells{sonar_.bin_length(), ping_width(sonar_)};
-  const Tone tone(display);
-  if (!display.annotations) {
-    const BareFan fan = bare_fan(shape, display, sonar_.bin_length());
-    Picture picture = blank_picture(fan.width, fan.height, palette::kBackground);
-    paint_fan(picture, fan.geometry, shape, cells, tone, sample);
-    return picture;
-  }
-  Page page(display, heading_of(sonar_, count_text(head_angles_.size()), last_time_));
-  const FanMarks marks = scan_marks(sonar_, shape);
-  const FanLayout layout = lay_out_fan(shape, marks, page, display.height);
-  Picture picture = blank_picture(layout.width, layout.height, palette::kBackground);
-  paint_fan(picture, layout.geometry, shape, cells, tone, sample);
-  if (!head_angles_.empty() && shape.inside_by(head_angles_.back()) > 0) {
-    const Point near = layout.geometry.point_at(sonar_.min_range, head_angles_.back());
-    const Point far = layout.geometry.point_at(sonar_.max_range, head_angles_.back());
-    draw_line(picture, near, far, 3.5 * page.hairline(), palette::kGridRim);
-    draw_line(picture, near, far, 1.5 * page.hairline(), palette::kHead);
-  }
-  draw_fan_frame(picture, layout, shape, marks, page);
-  return picture;
+  const auto draw_head = [&](Picture& picture, const FanGeometry& geometry, const Page& page) {
+    if (!head_angles_.empty() && shape.inside_by(head_angles_.back()) > 0) {
+      const Point near = geometry.point_at(sonar_.min_range, head_angles_.back());
+      const Point far = geometry.point_at(sonar_.max_range, head_angles_.back());
+      draw_line(picture, near, far, 3.5 * page.hairline(), palette::kGridRim);
+      draw_line(picture, near, far, 1.5 * page.hairline(), palette::kHead);
+    }
+  };
+  return fan_picture(display, heading_of(sonar_, count_text(head_angles_.size()), last_time_), shape,
+                     scan_marks(sonar_, shape), cells, sample, draw_head);
 }
 
 Picture ScanView::draw_polar(const Display& display) const {
@@ -146,21 +134,12 @@ Picture ScanView::draw_polar(const Display& display) const {
     axes.across.push_back(
         {(shape.high - *azimuth) / shape.aperture(), bearing_text(*azimuth, sonar_.head.mounting), *azimuth == 0});
   }
-  Page page(display, heading_of(sonar_, count_text(head_angles_.size()), last_time_));
-  const PlotLayout plot = plot_of(axes, page, display, steps_across(sonar_, shape), sonar_.bin_count);
-  Picture picture = blank_picture(plot.width, plot.height, palette::kBackground);
-
-  const Tone tone(display);
   const ScanSlots slots(head_angles_, sonar_.head.step, ping_width(sonar_));
-  for (int x = plot.left; x < plot.right; ++x) {
-    const double azimuth = shape.high - (x + 0.5 - plot.left) / (plot.right - plot.left) * shape.aperture();
-    const int ping = slots.at(azimuth).ping;
-    paint_column(picture, plot, x, ping < 0 ? std::span<const float>() : profiles_[ping], tone);
-  }
-  if (display.annotations) {
-    draw_plot_frame(picture, plot, axes, page);
-  }
-  return picture;
+  return plot_picture(display, heading_of(sonar_, count_text(head_angles_.size()), last_time_), axes,
+                      steps_across(sonar_, shape), sonar_.bin_count, [&](int x, int width) {
+                        const int ping = slots.at(shape.high - (x + 0.5) / width * shape.aperture()).ping;
+                        return ping < 0 ? std::span<const float>() : profiles_[ping];
+                      });
 }
 
 NumberPicture ScanView::draw_numbers(const std::vector<std::vector<std::uint16_t>>& numbers,

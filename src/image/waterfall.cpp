@@ -49,27 +49,21 @@ Picture Waterfall::draw(const Display& display) const {
   if (profiles_.empty()) {
     throw Error(fmt::format("{}: a waterfall must have at least one ping", sonar_.name));
   }
-  Page page(display, heading_of(sonar_, counted(profiles_.size(), "ping"), last_time_));
   const PlotAxes axes{ping_ticks(numbers_), range_ticks(sonar_), "ping", "range (m)"};
-  const PlotLayout plot = plot_of(axes, page, display, static_cast<int>(profiles_.size()), sonar_.bin_count);
-  Picture picture = blank_picture(plot.width, plot.height, palette::kBackground);
-  const Tone tone(display);
   std::vector<float> mean;
-  const double step = static_cast<double>(profiles_.size()) / (plot.right - plot.left);
-  for (int x = plot.left; x < plot.right; ++x) {
-    const auto first = static_cast<std::size_t>((x - plot.left) * step);
-    const auto end = std::clamp(static_cast<std::size_t>((x + 1 - plot.left) * step), first + 1, profiles_.size());
-    mean.assign(profiles_[first].size(), 0);
-    for (std::size_t ping = first; ping < end; ++ping) {
-      std::ranges::transform(mean, profiles_[ping], mean.begin(),
-                             [&](float sum, float value) { return sum + value / static_cast<float>(end - first); });
-    }
-    paint_column(picture, plot, x, mean, tone);
-  }
-  if (display.annotations) {
-    draw_plot_frame(picture, plot, axes, page);
-  }
-  return picture;
+  return plot_picture(
+      display, heading_of(sonar_, counted(profiles_.size(), "ping"), last_time_), axes,
+      static_cast<int>(profiles_.size()), sonar_.bin_count, [&](int x, int width) {
+        const double step = static_cast<double>(profiles_.size()) / width;
+        const auto first = static_cast<std::size_t>(x * step);
+        const auto end = std::clamp(static_cast<std::size_t>((x + 1) * step), first + 1, profiles_.size());
+        mean.assign(profiles_[first].size(), 0);
+        for (std::size_t ping = first; ping < end; ++ping) {
+          std::ranges::transform(mean, profiles_[ping], mean.begin(),
+                                 [&](float sum, float value) { return sum + value / static_cast<float>(end - first); });
+        }
+        return std::span<const float>(mean);
+      });
 }
 
 }  // namespace insonify

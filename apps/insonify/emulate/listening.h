@@ -28,6 +28,14 @@ struct Ipv4Network {
 /// @throws InputError for an invalid IPv4 address; Error for one that this machine does not have.
 [[nodiscard]] Ipv4Network network_of(const EmulateOptions& options);
 
+/// "127.0.0.1:9092", "[::1]:9092"
+template <typename Endpoint>
+[[nodiscard]] std::string endpoint_text(const Endpoint& endpoint) {
+  const std::string host = endpoint.address().to_string();
+  return endpoint.address().is_v6() ? fmt::format("[{}]:{}", host, endpoint.port())
+                                    : fmt::format("{}:{}", host, endpoint.port());
+}
+
 class EventLoop {
  public:
   /// @param report  Printed at SIGUSR1; must live as long as the loop.

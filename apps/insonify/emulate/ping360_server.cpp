@@ -44,10 +44,7 @@ Ping360Server::Ping360Server(const EmulateOptions& options, EmulatedSonar& sonar
 }
 
 std::string Ping360Server::address() const {
-  const Udp::endpoint local = socket_.local_endpoint();
-  const std::string host = local.address().to_string();
-  return local.address().is_v6() ? fmt::format("[{}]:{}", host, local.port())
-                                 : fmt::format("{}:{}", host, local.port());
+  return endpoint_text(socket_.local_endpoint());
 }
 
 void Ping360Server::run() {

@@ -33,10 +33,7 @@ StreamingServer::StreamingServer(const EmulateOptions& options, EmulatedSonar& s
 }
 
 std::string StreamingServer::address() const {
-  const Tcp::endpoint local = acceptor_.local_endpoint();
-  const std::string host = local.address().to_string();
-  return local.address().is_v6() ? fmt::format("[{}]:{}", host, local.port())
-                                 : fmt::format("{}:{}", host, local.port());
+  return endpoint_text(acceptor_.local_endpoint());
 }
 
 void StreamingServer::run() {

@@ -43,7 +43,7 @@ void check_effects(const ExportCommand& options) {
   const std::filesystem::path& file = options.file;
   std::string ending = (file.has_filename() ? file : file.parent_path()).extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (std::ranges::find(export_endings(), ending) == export_endings().end()) {
+  if (std::ranges::none_of(export_kinds(), [&](const ExportKind& kind) { return kind.ending == ending; })) {
     return;  // check_export() says so.
   }
   for (const std::string& name : options.given) {
@@ -129,13 +129,12 @@ void add_export(const Command& program) {
                  "Frames per second of a video [as fast as the pings were made, at most 50]",
                  number_within(above_to(0, 120)));
   add_picture_options(command.under("Pictures"), options.pictures, false);
+  std::string formats;
+  for (const ExportKind& kind : export_kinds()) {
+    formats += fmt::format("  {:<8}{}\n", kind.ending, kind.contents);
+  }
   command.footer(
-      "Formats, by the extension of FILE:\n"
-      "  .mcap         ROS 2 messages of all sonars, for Foxglove and ros2 bag\n"
-      "  .bag          ROS 1 messages of all sonars, for rosbag\n"
-      "  .npz          NumPy arrays: numpy.load(FILE)[\"intensity\"]\n"
-      "  .zarr         a folder of chunked arrays, one chunk a ping\n"
-      "  .mp4, .gif    the fan of one sonar, by the program ffmpeg\n"
+      "Formats, by the extension of FILE:\n" + formats +
       "--colour-map, --levels and --height act on videos. In .mcap and .bag --levels acts on the values of sonar\n"
       "images and on fan pictures, --colour-map on those.\n\n"
       "Examples:\n"

@@ -16,20 +16,20 @@
 namespace insonify {
 namespace {
 
-struct ExportFormat {
-  std::string_view ending;
+struct ExportFormat : ExportKind {
   void (*write)(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options);
   std::string_view mark = "";  // A file in every export of the format, which is a folder; "": it is a file.
   bool one_sonar = false;      // Whether it shows one sonar only.
 };
 
 // In the order in which messages list them.
-constexpr ExportFormat kFormats[] = {{".mcap", export_mcap},
-                                     {".bag", export_bag},
-                                     {".npz", export_npz},
-                                     {".zarr", export_zarr, ".zgroup"},
-                                     {".mp4", export_video, "", true},
-                                     {".gif", export_video, "", true}};
+constexpr ExportFormat kFormats[] = {
+    {{".mcap", "ROS 2 messages of all sonars, for Foxglove and ros2 bag"}, export_mcap},
+    {{".bag", "ROS 1 messages of all sonars, for rosbag"}, export_bag},
+    {{".npz", "NumPy arrays: numpy.load(FILE)[\"intensity\"]"}, export_npz},
+    {{".zarr", "a folder of chunked arrays, one chunk a ping"}, export_zarr, ".zgroup"},
+    {{".mp4", "the fan of one sonar, by the program ffmpeg"}, export_video, "", true},
+    {{".gif", "the same as a moving picture"}, export_video, "", true}};
 
 const ExportFormat* format_of(const std::filesystem::path& file) {
   const auto* const found = std::ranges::find(kFormats, ending_of(file), &ExportFormat::ending);
@@ -113,9 +113,8 @@ Checked checked(std::span<const RecordingPart> recordings, const std::filesystem
   found.file = of_folder != nullptr && !of_folder->mark.empty() ? place.parent_path() : place;
   found.format = format_of(found.file);
   if (found.format == nullptr) {
-    const auto endings = export_endings();
-    throw Error(fmt::format("{}: its ending must be {} or {}, which says the format", found.file.string(),
-                            fmt::join(endings.first(endings.size() - 1), ", "), endings.back()));
+    throw Error(
+        fmt::format("{}: its ending must be {}, which says the format", found.file.string(), export_endings(" or ")));
   }
   if (recordings.empty()) {
     throw Error(fmt::format("{}: there is not a recording to export", found.file.string()));
@@ -173,12 +172,16 @@ UnicodeTable unicode_table(const std::vector<std::string>& texts) {
   return table;
 }
 
-std::span<const std::string_view> export_endings() {
-  static const std::vector<std::string_view> endings = [] {
-    std::vector<std::string_view> all;
-    std::ranges::transform(kFormats, std::back_inserter(all), &ExportFormat::ending);
-    return all;
-  }();
+std::vector<ExportKind> export_kinds() {
+  return {std::begin(kFormats), std::end(kFormats)};
+}
+
+std::string export_endings(std::string_view before_last) {
+  std::string endings;
+  for (const ExportFormat& format : kFormats) {
+    const std::string_view between = &format == &std::end(kFormats)[-1] ? before_last : ", ";
+    endings.append(endings.empty() ? "" : between).append(format.ending);
+  }
   return endings;
 }
 

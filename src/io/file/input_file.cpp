@@ -9,6 +9,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "base/names.h"
 #include "insonify/error.h"
 #include "insonify/printable.h"
 #include "io/file/budgets.h"
@@ -103,9 +104,7 @@ std::string read_text_or_pipe(const std::filesystem::path& path) {
 }
 
 std::string ending_of(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
+  return lower_case(path.extension().string());
 }
 
 std::string foreign_reason(std::string_view reason) {

@@ -15,8 +15,6 @@ namespace fs = std::filesystem;
 
 constexpr std::array kModelPaths = {"INSONIFY_MODEL_PATH",      "SDF_PATH",          "GZ_SIM_RESOURCE_PATH",
                                     "IGN_GAZEBO_RESOURCE_PATH", "GAZEBO_MODEL_PATH", "GAZEBO_RESOURCE_PATH"};
-constexpr std::array kOtherPaths = {"AMENT_PREFIX_PATH", "ROS_PACKAGE_PATH", "GZ_FUEL_CACHE_PATH",
-                                    "IGN_FUEL_CACHE_PATH"};
 
 thread_local std::vector<std::string> scene_folders;
 thread_local std::map<fs::path, std::vector<fs::path>> known_roots;  // By the folder of what names files.
@@ -68,16 +66,13 @@ const std::vector<fs::path>& roots_of(const fs::path& base) {
 
 std::vector<fs::path> named_folders() {
   std::vector<fs::path> folders;
-  const auto add = [&](const char* variable) {
-    const std::vector<fs::path> listed = folders_listed_in(variable);
-    folders.insert(folders.end(), listed.begin(), listed.end());
-  };
-  std::ranges::for_each(kModelPaths, add);
-  std::ranges::for_each(kOtherPaths, add);
-  if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0') {
-    folders.push_back(fs::absolute(home) / ".gz/fuel");
-    folders.push_back(fs::absolute(home) / ".ignition/fuel");
+  const auto add = [&](const std::vector<fs::path>& more) { folders.insert(folders.end(), more.begin(), more.end()); };
+  for (const char* variable : kModelPaths) {
+    add(folders_listed_in(variable));
   }
+  add(folders_listed_in("AMENT_PREFIX_PATH"));
+  add(folders_listed_in("ROS_PACKAGE_PATH"));
+  add(fuel_caches());
   return folders;
 }
 
@@ -99,6 +94,29 @@ std::vector<fs::path> folders_listed_in(const char* variable) {
     }
   }
   return folders;
+}
+
+std::vector<fs::path> fuel_caches() {
+  std::vector<fs::path> folders;
+  for (const char* variable : {"GZ_FUEL_CACHE_PATH", "IGN_FUEL_CACHE_PATH"}) {
+    const std::vector<fs::path> listed = folders_listed_in(variable);
+    folders.insert(folders.end(), listed.begin(), listed.end());
+  }
+  if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0') {
+    folders.push_back(fs::absolute(home) / ".gz/fuel");
+    folders.push_back(fs::absolute(home) / ".ignition/fuel");
+  }
+  return folders;
+}
+
+std::vector<fs::path> folders_above(const fs::path& file) {
+  std::vector<fs::path> folders;
+  for (fs::path folder = fs::absolute(file).lexically_normal().parent_path();; folder = folder.parent_path()) {
+    folders.push_back(folder);
+    if (folder == folder.parent_path()) {
+      return folders;
+    }
+  }
 }
 
 bool is_model_folder(const fs::path& folder) {

@@ -15,6 +15,12 @@ namespace insonify {
 /// The absolute folders that an environment variable lists.
 [[nodiscard]] std::vector<std::filesystem::path> folders_listed_in(const char* variable);
 
+/// Folders of Fuel's caches: those of the environment, then those in HOME.
+[[nodiscard]] std::vector<std::filesystem::path> fuel_caches();
+
+/// The folder that a file is in and those above it, nearest first.
+[[nodiscard]] std::vector<std::filesystem::path> folders_above(const std::filesystem::path& file);
+
 /// Whether a folder is one of a model or of a package: it holds a model.config, a model.sdf or a package.xml.
 [[nodiscard]] bool is_model_folder(const std::filesystem::path& folder);
 

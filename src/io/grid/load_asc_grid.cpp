@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 
+#include "base/names.h"
 #include "insonify/error.h"
 #include "insonify/printable.h"
 #include "io/file/budgets.h"
@@ -16,12 +17,6 @@
 
 namespace insonify {
 namespace {
-
-std::string in_lower_case(std::string_view word) {
-  std::string lower(word);
-  std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return lower;
-}
 
 // Splits a text at white space; each word knows its line.
 class Words {
@@ -111,7 +106,7 @@ Header read_header(Words& words) {
   Header header;
   while (!words.word().empty() && !words.number()) {
     const std::string key(words.word());
-    std::optional<Entry>* field = header.find(in_lower_case(key));
+    std::optional<Entry>* field = header.find(lower_case(key));
     if (field == nullptr) {
       words.fail(
           fmt::format("\"{}\" is neither a number nor a key of an ESRI ASCII grid; keys: ncols, nrows, xllcorner, "
@@ -199,7 +194,7 @@ std::optional<bool> is_geographic_by_prj(std::filesystem::path path) {
   if (!std::filesystem::exists(path)) {
     return std::nullopt;
   }
-  const std::string text = in_lower_case(read_text(path));
+  const std::string text = lower_case(read_text(path));
   const std::size_t start = text.find_first_not_of(" \t\r\n");
   const std::string_view projection = std::string_view(text).substr(std::min(start, text.size()));
   // As well-known text, or as ESRI's older "Projection GEOGRAPHIC".

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "base/log_line.h"
+#include "base/names.h"
 #include "insonify/error.h"
 #include "io/file/budgets.h"
 #include "io/file/hdf5.h"
@@ -55,8 +56,7 @@ std::string text_of(pugi::xml_node below) {
     text += ' ';
     return false;
   });
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return without_outer_space(text);
+  return without_outer_space(lower_case(text));
 }
 
 // All numbers in a text. Whatever separates them is skipped.

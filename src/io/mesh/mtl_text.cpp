@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 
+#include "base/names.h"
 #include "io/mesh/mesh_checks.h"
 
 namespace insonify {
@@ -65,8 +66,7 @@ std::string mend_mtl(std::string_view text) {
     std::string_view rest = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
     const std::string_view key = next_mtl_word(rest);
-    std::string lower(key);
-    std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string lower = lower_case(key);
     if (lower == "newmtl" && rest.find_first_not_of(kBlanks) != std::string_view::npos) {
       mended.append("newmtl").append(rest).append("\n");
     } else if (lower == "bump" || lower == "map_bump" || lower == "norm" || lower == "map_kn") {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/names.h"
 #include "insonify/error.h"
 #include "insonify/printable.h"
 #include "io/file/input_file.h"
@@ -14,12 +15,6 @@ namespace {
 
 // 80 bytes of anything and the number of triangles, then each with a normal, three corners and two bytes more.
 constexpr std::size_t kStlTitle = 80, kStlHeader = 84, kStlTriangle = 50;
-
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return lower;
-}
 
 // The text with its keywords in lower case; names, behind solid and endsolid, stay. Without lines behind the last
 // endsolid, unless they begin another solid.

@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "image/ping_table.h"
 #include "insonify/files.h"
 #include "insonify/messages.h"
 #include "insonify/printable.h"
@@ -62,20 +63,6 @@ std::vector<Value> values_of(const std::vector<float>& raised, const Display& di
     values[i] = static_cast<Value>(std::lround(kMost * shown_level(display, static_cast<double>(raised[i]))));
   }
   return values;
-}
-
-void check_cells(const Ping& ping, const SonarConfig& sonar) {
-  const std::size_t cells = static_cast<std::size_t>(sonar.bin_count) * static_cast<std::size_t>(sonar.beam_count);
-  if (ping.bin_count != sonar.bin_count || ping.beam_count != sonar.beam_count) {
-    throw Error(fmt::format("ping {} of {} has {} x {}, must have {} x {}", ping.number, sonar.name,
-                            counted(ping.beam_count, "beam"), counted(ping.bin_count, "bin"), sonar.beam_count,
-                            sonar.bin_count));
-  }
-  if (ping.intensity.size() != cells || (!ping.elevation.empty() && ping.elevation.size() != cells)) {
-    throw Error(fmt::format("ping {} of {} has {} {}, must have {}", ping.number, sonar.name,
-                            ping.intensity.size() != cells ? ping.intensity.size() : ping.elevation.size(),
-                            ping.intensity.size() != cells ? "intensities" : "elevations", cells));
-  }
 }
 
 // The intensity above which a value counts as clipped: half a step above the brightest one. Below it, values are as
@@ -225,7 +212,7 @@ MessageLevels SonarMessages::levels() const {
 
 void SonarMessages::take(const Ping& ping, double time) {
   const SonarConfig& sonar = state_->source.sonar;
-  check_cells(ping, sonar);
+  check_ping(ping, sonar);
   const std::uint64_t start_ns = state_->options.start_ns.value_or(0);
   if (!(time >= 0 && static_cast<double>(start_ns) * 1e-9 + time < kTimeLimit - 1)) {
     throw Error(

@@ -28,8 +28,7 @@ using Kind = YamlValue::Kind;
 void refuse_worlds(const std::filesystem::path& path) {
   constexpr std::array meshes = {".obj", ".stl", ".dae", ".ply", ".gltf", ".glb"};
   constexpr std::array grids = {".asc", ".bag", ".png"};
-  std::string ending = path.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string ending = ending_of(path);
   const auto is_one_of = [&](const auto& endings) { return std::ranges::find(endings, ending) != endings.end(); };
   const char* kind = is_one_of(meshes) ? "a mesh" : is_one_of(grids) ? "a height grid" : nullptr;
   if (kind != nullptr) {

@@ -10,6 +10,7 @@
 #include <map>
 #include <numbers>
 
+#include "base/names.h"
 #include "insonify/error.h"
 #include "insonify/printable.h"
 #include "io/file/xml_file.h"
@@ -41,9 +42,8 @@ NameAndUnit split_name(std::string_view text) {
   text.remove_prefix(std::min(text.find_first_not_of("#% \t"), text.size()));
   const std::size_t open = std::min(text.find_first_of("[("), text.size());
   const std::size_t close = std::min(text.find_first_of("])", open), text.size());
-  std::string name = without_outer_space(text.substr(0, open));
-  std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return {name, open < text.size() ? without_outer_space(text.substr(open + 1, close - open - 1)) : ""};
+  return {lower_case(without_outer_space(text.substr(0, open))),
+          open < text.size() ? without_outer_space(text.substr(open + 1, close - open - 1)) : ""};
 }
 
 std::optional<TrackNumber> number_named(const std::string& name) {

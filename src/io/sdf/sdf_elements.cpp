@@ -13,6 +13,8 @@
 #include <string_view>
 #include <utility>
 
+#include "base/names.h"
+
 namespace insonify {
 
 bool is_irrelevant_sdf(pugi::xml_node element) {
@@ -67,8 +69,7 @@ bool is_sdf_frame_of_another(pugi::xml_node root, std::string_view name) {
 }
 
 bool paints_sdf_water(pugi::xml_node element) {
-  std::string name = xml_text(element.child("script").child("name"));
-  std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string name = lower_case(xml_text(element.child("script").child("name")));
   return element.name() == std::string_view("material") && element.parent().name() == std::string_view("visual") &&
          name.find("water") != std::string::npos;
 }

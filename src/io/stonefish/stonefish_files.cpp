@@ -15,16 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<fs::path> folders_above(const fs::path& base) {
-  std::vector<fs::path> folders;
-  for (fs::path folder = fs::absolute(base).lexically_normal().parent_path();; folder = folder.parent_path()) {
-    folders.push_back(folder);
-    if (folder == folder.parent_path()) {
-      return folders;
-    }
-  }
-}
-
 fs::path without_tilde(const std::string& name) {
   const char* home = std::getenv("HOME");
   return name.starts_with("~/") && home != nullptr ? fs::path(home) / name.substr(2) : fs::path(name);

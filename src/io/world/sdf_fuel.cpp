@@ -9,6 +9,8 @@
 #include <cstdlib>
 #include <vector>
 
+#include "base/names.h"
+#include "io/file/scene_folders.h"
 #include "io/file/uri.h"
 
 namespace insonify {
@@ -21,11 +23,6 @@ struct FuelUri {
   std::string version;             // "" for the highest.
   std::vector<std::string> parts;  // Folders of a path within the model.
 };
-
-std::string lower(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
 
 std::vector<std::string> split(const std::string& text) {
   std::vector<std::string> words;
@@ -63,7 +60,8 @@ std::optional<FuelUri> parse(const std::string& uri) {
   if (words.empty()) {
     return std::nullopt;
   }
-  FuelUri found{lower(words[0]), lower(percent_decoded(words[2])), lower(percent_decoded(words[4])), "", {}};
+  FuelUri found{
+      lower_case(words[0]), lower_case(percent_decoded(words[2])), lower_case(percent_decoded(words[4])), "", {}};
   std::size_t next = 5;
   if (next < words.size() && (words[next] == "tip" || is_number(words[next]))) {
     found.version = words[next] == "tip" ? "" : words[next];
@@ -76,25 +74,11 @@ std::optional<FuelUri> parse(const std::string& uri) {
   return found;
 }
 
-std::vector<fs::path> caches() {
-  std::vector<fs::path> folders;
-  for (const char* variable : {"GZ_FUEL_CACHE_PATH", "IGN_FUEL_CACHE_PATH"}) {
-    if (const char* value = std::getenv(variable); value != nullptr && *value != 0) {
-      folders.push_back(fs::absolute(value));
-    }
-  }
-  if (const char* home = std::getenv("HOME"); home != nullptr && *home != 0) {
-    folders.push_back(fs::absolute(home) / ".gz/fuel");
-    folders.push_back(fs::absolute(home) / ".ignition/fuel");
-  }
-  return folders;
-}
-
 // The entry of a folder with this name, whatever its case.
 std::optional<fs::path> entry(const fs::path& folder, const std::string& name) {
   std::error_code failure;
   for (fs::directory_iterator at(folder, failure), end; !failure && at != end; at.increment(failure)) {
-    if (lower(at->path().filename().string()) == name) {
+    if (lower_case(at->path().filename().string()) == name) {
       return at->path();
     }
   }
@@ -144,7 +128,7 @@ std::optional<fs::path> find_fuel_uri(const std::string& uri) {
   if (std::ranges::count(known, wanted->server) > 0) {
     servers.insert(servers.end(), known.begin(), known.end());
   }
-  for (const fs::path& cache : caches()) {
+  for (const fs::path& cache : fuel_caches()) {
     for (const std::string& server : servers) {
       const auto owner = entry(cache / server, wanted->owner);
       const auto name = owner ? entry(*owner / "models", wanted->name) : std::nullopt;
@@ -163,7 +147,7 @@ std::optional<fs::path> find_fuel_uri(const std::string& uri) {
 
 std::string fuel_uri_not_found() {
   std::vector<std::string> folders;
-  for (const fs::path& cache : caches()) {
+  for (const fs::path& cache : fuel_caches()) {
     folders.push_back(cache.string());
   }
   return fmt::format("is not in the caches of Fuel ({})", fmt::join(folders, ", "));

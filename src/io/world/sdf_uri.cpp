@@ -38,9 +38,7 @@ bool names_model(const Uri& uri) {
 // Folders to look in, nearest first.
 std::vector<fs::path> search_folders(const Uri& uri, const fs::path& base) {
   std::vector<fs::path> folders;
-  fs::path folder = fs::absolute(base).parent_path();
-  for (bool more = true; more; folder = folder.parent_path()) {
-    more = folder != folder.parent_path();
+  for (const fs::path& folder : folders_above(base)) {
     folders.push_back(folder);
     if (names_model(uri)) {
       folders.push_back(folder / "models");
