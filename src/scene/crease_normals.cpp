@@ -83,12 +83,30 @@ class Groups {
   std::vector<bool> turned_;
 };
 
-double angle_at_corner(const Mesh& mesh, std::size_t corner) {
+// A triangle as seen from one of its corners.
+struct CornerSize {
+  double angle;  // At the corner [rad].
+  double area;   // Twice that of the triangle [m^2].
+};
+
+CornerSize corner_size(const Mesh& mesh, std::size_t corner) {
   const Triangle& triangle = mesh.triangles[corner / 3];
   const Vec3 tip = mesh.vertices[triangle[corner % 3]].cast<double>();
   const Vec3 one = mesh.vertices[triangle[(corner % 3 + 1) % 3]].cast<double>() - tip;
   const Vec3 two = mesh.vertices[triangle[(corner % 3 + 2) % 3]].cast<double>() - tip;
-  return std::atan2(one.cross(two).norm(), one.dot(two));
+  const double area = one.cross(two).norm();
+  return {std::atan2(area, one.dot(two)), area};
+}
+
+// Triangles count as alike if neither is this many times as large as the other.
+constexpr double kAlike = 3;
+
+// Share of a triangle's weight in the normal of a vertex at which the largest triangle is `larger` times as large. A
+// face beside much smaller ones is a plane whose edges are rounded: they do not turn its normals, or it would be heard
+// as curved.
+double share_beside(double larger) {
+  constexpr double kWhole = 2, kNone = 4;
+  return std::clamp((kNone - larger) / (kNone - kWhole), 0.0, 1.0);
 }
 
 // Computes the normals of one vertex at a time; its buffers are reused from vertex to vertex.
@@ -97,8 +115,9 @@ class FanSmoother {
   FanSmoother(Mesh& mesh, double crease_angle)
       : mesh_(mesh),
         vertex_count_(mesh.vertices.size()),
-        least_cosine_(static_cast<float>(std::cos(crease_angle))),
-        half_way_cosine_(static_cast<float>(std::cos(crease_angle / 2))) {
+        least_cosine_(static_cast<float>(std::cos(kRounding * crease_angle))),
+        least_cosine_unlike_(static_cast<float>(std::cos(kUnlikeCrease * crease_angle))),
+        half_way_cosine_(static_cast<float>(std::cos(kUnlikeCrease * crease_angle / 2))) {
     face_normals_.reserve(mesh.triangles.size());
     for (const Triangle& triangle : mesh.triangles) {
       face_normals_.push_back(face_normal(mesh, triangle));
@@ -117,6 +136,13 @@ class FanSmoother {
   }
 
  private:
+  // The crease angle is that of tubes of eight sides. In bends and by corners in whole millimetres theirs are 41 to 49
+  // degrees: a limit of 49.5 makes all of them round, and none of those of seven sides (51) or six.
+  static constexpr double kRounding = 1.1;
+  // Triangles of unlike sizes share normals up to this part of the crease angle, 35 degrees: a plane and its chamfer of
+  // 45 do not, a plane and its rounded edge of two facets or more (22.5) do.
+  static constexpr double kUnlikeCrease = 0.78;
+
   // An edge at the vertex, as an edge of one of its triangles.
   struct Spoke {
     std::uint32_t end;     // Vertex at its far end, before vertices were split.
@@ -124,8 +150,8 @@ class FanSmoother {
     bool outgoing;         // Whether the triangle runs along it away from the vertex.
   };
 
-  // Fast test for the common case of a nearly flat surface: if all normals are within half the crease angle of the
-  // first, no two differ by more than the crease angle.
+  // Fast test for the common case of a nearly flat surface: if all normals are within half the smallest crease angle
+  // of the first, no two differ by more than that angle.
   [[nodiscard]] bool are_all_alike(std::span<const std::size_t> corners) const {
     const Vec3f& first = face_normals_[corners[0] / 3];
     return std::ranges::all_of(
@@ -168,17 +194,34 @@ class FanSmoother {
   // run along their common edge in opposite directions.
   void join_if_flat(std::span<const std::size_t> corners, const Spoke& a, const Spoke& b) {
     const bool turned = a.outgoing == b.outgoing;
-    const float cosine = face_normals_[corners[a.member] / 3].dot(face_normals_[corners[b.member] / 3]);
-    if ((turned ? -cosine : cosine) >= least_cosine_) {
+    const float dot = face_normals_[corners[a.member] / 3].dot(face_normals_[corners[b.member] / 3]);
+    const float cosine = turned ? -dot : dot;
+    if (cosine >= least_cosine_unlike_ ||
+        (cosine >= least_cosine_ && are_alike(corners[a.member], corners[b.member]))) {
       groups_.join(a.member, b.member, turned);
     }
   }
 
+  // The sizes of triangles that share an edge are as their widths: not alike are a plane and its chamfer.
+  [[nodiscard]] bool are_alike(std::size_t a, std::size_t b) const {
+    const double one = corner_size(mesh_, a).area;
+    const double two = corner_size(mesh_, b).area;
+    return std::max(one, two) < kAlike * std::min(one, two);
+  }
+
   void sum_normals(std::span<const std::size_t> corners) {
     sums_.assign(corners.size(), Vec3::Zero());
+    largest_.assign(corners.size(), 0);
+    sizes_.clear();
+    for (std::uint32_t member = 0; member < corners.size(); ++member) {
+      sizes_.push_back(corner_size(mesh_, corners[member]));
+      double& largest = largest_[groups_.find(member).root];
+      largest = std::max(largest, sizes_[member].area);
+    }
     for (std::uint32_t member = 0; member < corners.size(); ++member) {
       const Groups::Member group = groups_.find(member);
-      const double weight = angle_at_corner(mesh_, corners[member]);
+      const CornerSize& size = sizes_[member];
+      const double weight = size.angle * share_beside(largest_[group.root] / size.area);
       sums_[group.root] += (group.turned ? -weight : weight) * face_normals_[corners[member] / 3].cast<double>();
     }
   }
@@ -222,10 +265,13 @@ class FanSmoother {
   std::size_t vertex_count_;               // Number of vertices before any was split.
   std::vector<std::uint32_t> split_from_;  // For each vertex appended, the one it was split from.
   float least_cosine_;
-  float half_way_cosine_;  // Cosine of half the crease angle.
+  float least_cosine_unlike_;
+  float half_way_cosine_;
   std::vector<Vec3f> face_normals_;
   Groups groups_;
   std::vector<Spoke> spokes_;
+  std::vector<CornerSize> sizes_;
+  std::vector<double> largest_;  // Area of the largest triangle, by the root of its group.
   std::vector<Vec3> sums_;
   std::vector<std::uint32_t> assigned_;
 };

@@ -7,9 +7,10 @@
 namespace insonify {
 
 /// Computes the normal of every vertex whose normal is zero. Triangles that share an edge at the vertex and meet at
-/// less than `crease_angle` [rad] share the mean of their normals, weighted by their angles at the vertex. A vertex
-/// with several such groups of triangles is split. Two triangles of opposite winding are compared as if one were
-/// reversed.
+/// about `crease_angle` [rad] (within a tenth) or less share the mean of their normals, weighted by their angles at the
+/// vertex; at 0.78 of it or less, if one is three times as large as the other. Those that are much smaller than the
+/// largest at the vertex do not count in the mean. A vertex with several such groups of triangles is split. Two
+/// triangles of opposite winding are compared as if one were reversed.
 void fill_normals(Mesh& mesh, double crease_angle);
 
 /// Reverses vertex normals so that they point to the side given by the winding of their triangles; splits vertices

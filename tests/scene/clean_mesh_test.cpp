@@ -171,8 +171,8 @@ TEST(CleanMeshTest, CreaseAngleDecidesWhatIsSharp) {
   const double kink = radians_from_degrees(30);
   Mesh smooth = folded_strip({kink});
   Mesh sharp = folded_strip({kink});
-  (void)clean_mesh(smooth, radians_from_degrees(31));
-  (void)clean_mesh(sharp, radians_from_degrees(29));
+  (void)clean_mesh(smooth, radians_from_degrees(28));
+  (void)clean_mesh(sharp, radians_from_degrees(27));
   EXPECT_EQ(smooth.vertices.size(), 6U);
   EXPECT_EQ(sharp.vertices.size(), 8U);
   EXPECT_GT(least_agreement(sharp), 1 - kFloat);

@@ -167,6 +167,12 @@ TEST(VolumeReverberationTest, FallsWithTheSquareOfRange) {
     EXPECT_LT(walled.intensity[walled.index(b, 7)], 1e-6F * ping.intensity[ping.index(b, 7)]) << b;
   }
 
+  // Nor is there any behind a wall that is nearer than the first bin.
+  scenario.sonars[0].min_range = 3;
+  const Ping near = ping_of(scenario, plate_at(2, 20, diffuse(-200)));
+  EXPECT_LT(*std::ranges::max_element(near.intensity), 1e-6F * ping.intensity[ping.index(60, 7)]);  // At 3 m.
+  scenario.sonars[0].min_range = 0;
+
   // A point target does not shadow the water behind it.
   scenario.points = {{.position = {5.02, 0.05, 0}, .target_strength_db = -150}};
   const Ping pointed = ping_of(scenario, {});

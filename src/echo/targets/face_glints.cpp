@@ -15,8 +15,10 @@
 namespace insonify {
 namespace {
 
-constexpr double kLeastShare = 1e-4;               // Least coherent or visible share that counts.
-constexpr double kGap = GlintingFaces::kThinnest;  // Largest distance of a hit on the face from its plane [m].
+constexpr double kLeastShare = 1e-4;  // Least coherent or visible share that counts.
+// Largest distance of a hit on the face from its plane [m]: less than the thickness from which both sides of a sheet
+// glint, lest its near side passes for the far one.
+constexpr double kGap = 0.75 * GlintingFaces::kThinnest;
 // Rays to an end of a side aim inside the face by a share of its half length, or by this much of Fresnel's argument if
 // that is less.
 constexpr double kInside = 0.01, kInsideZone = 0.1;
