@@ -16,7 +16,19 @@ struct Case {
   const char* name;
   void (*change)(Scenario&);
   bool on_device = true;
+  double lambert_db = 0;  // Of all materials, with little reflection; 0: their own.
 };
+
+Scene scene_of(const Case& of) {
+  Scene scene = crossing_scene(0);
+  for (Material& material : scene.materials) {
+    if (of.lambert_db != 0) {
+      material.lambert_db = of.lambert_db;
+      material.reflection = 0.01;
+    }
+  }
+  return scene;
+}
 
 class GpuReceptionTest : public testing::TestWithParam<Case> {
  protected:
@@ -58,8 +70,25 @@ void expect_same_field(const Ping& device, const Ping& host) {
   EXPECT_LE(apart, kRounding * sum);
 }
 
+// @param weak  Whether echoes may be below the unit of the card's sums: those of echo sources count as one unit where
+// the
+//              card adds them, and as what they are where the host does, which decides a few labels.
+void expect_same_labels(const Ping& device, const Ping& host, bool weak) {
+  ASSERT_EQ(device.instance.size(), host.instance.size());
+  double others = 0;
+  for (std::size_t at = 0; at < host.instance.size(); ++at) {
+    if (device.instance[at] != host.instance[at] || device.material[at] != host.material[at]) {
+      ++others;
+      continue;
+    }
+    const float one = device.elevation[at], other = host.elevation[at];
+    ASSERT_TRUE((std::isnan(one) && std::isnan(other)) || std::abs(one - other) < 1e-6F || weak) << at;
+  }
+  EXPECT_LE(others, weak ? 1e-3 * static_cast<double>(host.instance.size()) : 0.0);
+}
+
 TEST_P(GpuReceptionTest, GivesThePingsOfTheHostsReceiver) {
-  const Scene scene = crossing_scene(0);
+  const Scene scene = scene_of(GetParam());
   Scenario on_host = scenario_of(GetParam());
   on_host.motion_in_ping = true;
   Simulator device(scenario_of(GetParam()), scene, 2, crossing_objects());
@@ -80,81 +109,87 @@ TEST_P(GpuReceptionTest, GivesThePingsOfTheHostsReceiver) {
     EXPECT_LE(apart(expected.pings[i], received.pings[i]), kRounding);
     expect_same_counts(received.pings[i], expected.pings[i]);
     expect_same_field(received.pings[i], expected.pings[i]);
-    EXPECT_EQ(received.pings[i].instance, expected.pings[i].instance);
-    EXPECT_EQ(received.pings[i].material, expected.pings[i].material);
-    for (std::size_t at = 0; at < expected.pings[i].elevation.size(); ++at) {
-      const float one = received.pings[i].elevation[at], other = expected.pings[i].elevation[at];
-      ASSERT_TRUE((std::isnan(one) && std::isnan(other)) || std::abs(one - other) < 1e-6F) << at;
-    }
+    expect_same_labels(received.pings[i], expected.pings[i], GetParam().lambert_db != 0);
   }
 }
 
-constexpr Case kCases[] = {{"Plain", [](Scenario&) {}},
-                           {"Silent", [](Scenario& of) { of.receiver.noise = false; }},
-                           {"NoPulse", [](Scenario& of) { of.receiver.pulse = PulseKind::kNone; }},
-                           {"LongPulse",  // Scatterers are shared between bins.
-                            [](Scenario& of) {
-                              of.receiver.pulse = PulseKind::kCw;
-                              of.receiver.pulse_duration = 6e-4;
-                            }},
-                           {"ChirpOfCoarseBins",
-                            [](Scenario& of) {
-                              of.receiver.pulse = PulseKind::kLfm;
-                              of.receiver.pulse_duration = 1e-3;
-                              of.receiver.decimation = Decimation::kSample;
-                            }},
-                           {"TopHat",  // Beams are cells.
-                            [](Scenario& of) { of.receiver.azimuth_pattern = BeamPattern::kTopHat; }},
-                           {"FaultyArray",  // Complex gains.
-                            [](Scenario& of) {
-                              of.receiver.elements = 48;
-                              of.receiver.element_error = 0.2;
-                              of.receiver.dead_elements = {3, 17};
-                            }},
-                           {"OutOfFocus",
-                            [](Scenario& of) {
-                              of.sonars[0].azimuth_resolution = 0.6 * kDegree;
-                              of.sonars[0].focus_range = 3;
-                              of.sonars[1].focus_range = 4;
-                            }},
-                           {"VolumeAndNoiseOfTheSurface",
-                            [](Scenario& of) {
-                              of.water.volume_backscatter_db = -20;
-                              of.receiver.surface_noise = true;
-                              of.receiver.wind_noise = 12;
-                            }},
-                           {"Crosstalk",  // The host adds the noise.
-                            [](Scenario& of) {
-                              of.sonars[0].crosstalk_db = -30;
-                              of.sonars[0].missing_beams = {2};
-                            }},
-                           {"LeakCountsAndField",
-                            [](Scenario& of) {
-                              of.sonars[0].leak_db = -60;
-                              of.sonars[0].dead_range = 1.5;
-                              of.receiver.counts = of.receiver.field = true;
-                              of.receiver.time_varied_gain = 30;
-                              of.receiver.full_scale_share = 0.002;
-                            }},
-                           {"Thrusters",
-                            [](Scenario& of) {
-                              of.thrusters = {{.position = {0.6, 0.3, 0}}};
-                            }},
-                           {"SourcesOfEchoes",
-                            [](Scenario& of) {
-                              of.random_walks = 150;
-                              of.points = {{.position = {6, 1, -0.5}, .target_strength_db = -20}};
-                            }},
-                           {"Head", [](Scenario& of) { of.sonars.push_back(scanning_head()); }},
-                           {"Motion", [](Scenario& of) { of.motion_in_ping = true; }, false},
-                           {"Looks",  // Bins that keep the greatest of several looks.
-                            [](Scenario& of) {
-                              of.receiver.pulse = PulseKind::kCw;
-                              of.receiver.pulse_duration = 2e-5;
-                              of.receiver.decimation = Decimation::kPeak;
-                            },
-                            false},
-                           {"NoSpeckle", [](Scenario& of) { of.receiver.speckle = false; }, false}};
+constexpr Case kCases[] = {
+    {"Plain", [](Scenario&) {}},
+    {"Silent", [](Scenario& of) { of.receiver.noise = false; }},
+    {"NoPulse", [](Scenario& of) { of.receiver.pulse = PulseKind::kNone; }},
+    {"LongPulse",  // Scatterers are shared between bins.
+     [](Scenario& of) {
+       of.receiver.pulse = PulseKind::kCw;
+       of.receiver.pulse_duration = 6e-4;
+     }},
+    {"ChirpOfCoarseBins",
+     [](Scenario& of) {
+       of.receiver.pulse = PulseKind::kLfm;
+       of.receiver.pulse_duration = 1e-3;
+       of.receiver.decimation = Decimation::kSample;
+     }},
+    {"TopHat",  // Beams are cells.
+     [](Scenario& of) { of.receiver.azimuth_pattern = BeamPattern::kTopHat; }},
+    {"FaultyArray",  // Complex gains.
+     [](Scenario& of) {
+       of.receiver.elements = 48;
+       of.receiver.element_error = 0.2;
+       of.receiver.dead_elements = {3, 17};
+     }},
+    {"OutOfFocus",
+     [](Scenario& of) {
+       of.sonars[0].azimuth_resolution = 0.6 * kDegree;
+       of.sonars[0].focus_range = 3;
+       of.sonars[1].focus_range = 4;
+     }},
+    {"LoudVolume",  // Louder than the surfaces that end it.
+     [](Scenario& of) {
+       of.water.volume_backscatter_db = -20;
+       of.receiver.noise = false;
+     },
+     true, -70},
+    {"NoiseOfTheSurface",  // Another in each beam of a sonar that lies on its side; whole blocks of bins.
+     [](Scenario& of) {
+       of.receiver.surface_noise = true;
+       of.receiver.wind_noise = 12;
+       of.sonars[0].bin_count = 128;
+       of.sonars[0].orientation = {1.2, 0, 0};
+       of.sonars[0].source_level_db = 100;
+     },
+     true, -70},
+    {"Crosstalk",  // The host adds the noise.
+     [](Scenario& of) {
+       of.sonars[0].crosstalk_db = -30;
+       of.sonars[0].missing_beams = {2};
+     }},
+    {"LeakCountsAndField",
+     [](Scenario& of) {
+       of.sonars[0].leak_db = -60;
+       of.sonars[0].dead_range = 1.5;
+       of.receiver.counts = of.receiver.field = true;
+       of.receiver.time_varied_gain = 30;
+       of.receiver.full_scale_share = 0.002;
+     }},
+    {"Thrusters",
+     [](Scenario& of) {
+       of.thrusters = {{.position = {0.6, 0.3, 0}}};
+     }},
+    {"SourcesOfEchoes",
+     [](Scenario& of) {
+       of.random_walks = 150;
+       of.points = {{.position = {6, 1, -0.5}, .target_strength_db = -20}};
+     }},
+    {"Head", [](Scenario& of) { of.sonars.push_back(scanning_head()); }},
+    {"Motion", [](Scenario& of) { of.motion_in_ping = true; }, false},
+    {"Looks",  // Bins that keep the greatest of several looks.
+     [](Scenario& of) {
+       of.receiver.pulse = PulseKind::kCw;
+       of.receiver.pulse_duration = 2e-5;
+       of.receiver.decimation = Decimation::kPeak;
+     },
+     false},
+    {"NoSpeckle", [](Scenario& of) { of.receiver.speckle = false; }, false},
+    {"FullTruth", [](Scenario& of) { of.ground_truth = GroundTruth::kFull; }, false}};
 
 // A sonar among balls that have moved. One more than so many, and the host receives.
 TEST_F(GpuReceptionTest, WithManyMovedObjectsTheHostReceives) {
