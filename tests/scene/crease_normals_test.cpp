@@ -29,7 +29,7 @@ std::size_t faceted_prism(int sides) {
   return 2U * 3U * static_cast<std::size_t>(sides);
 }
 
-// Edges of eight sides are of 45 degrees, in bends and by rounding of a few more or less, and those of six of 60.
+// Edges of eight sides are of 45 degrees, in bends and by rounding of a few more or less, those of seven of 51.4.
 TEST(CreaseNormalsTest, ATubeOfEightSidesIsRoundWhereverItLies) {
   for (int i = 0; i < 200; ++i) {
     const Eigen::AngleAxisd turn(0.37 * i, Vec3(std::sin(i), std::cos(3 * i), std::sin(5 * i)).normalized());
@@ -42,6 +42,9 @@ TEST(CreaseNormalsTest, ATubeOfEightSidesIsRoundWhereverItLies) {
     ASSERT_EQ(eight.vertices.size(), round_prism(8)) << i;
     ASSERT_EQ(six.vertices.size(), faceted_prism(6)) << i;
   }
+  Mesh seven = prism(polygon(7, 1), 10);
+  (void)clean_mesh(seven);
+  EXPECT_EQ(seven.vertices.size(), faceted_prism(7));
 }
 
 // The least cosine between the normal of a triangle in the plane x = 0.5 and those of its vertices.
