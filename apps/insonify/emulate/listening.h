@@ -2,10 +2,13 @@
 
 #pragma once
 
+#include <fmt/format.h>
+
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/address.hpp>
 #include <boost/asio/ip/address_v4.hpp>
 #include <boost/asio/steady_timer.hpp>
+#include <string>
 
 #include "emulate/emulate.h"
 #include "transport/transport_report.h"

@@ -18,7 +18,7 @@ namespace {
 
 struct ExportFormat : ExportKind {
   void (*write)(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options);
-  std::string_view mark = "";  // A file in every export of the format, which is a folder; "": it is a file.
+  std::string_view mark = {};  // A file in every export of the format, which is a folder; "": it is a file.
   bool one_sonar = false;      // Whether it shows one sonar only.
 };
 
