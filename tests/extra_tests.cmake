@@ -259,7 +259,7 @@ if(INSONIFY_BUILD_APPS)
 endif()
 # The node of ROS 1 with a roscore of its own.
 if(NOT INSONIFY_SANITIZE)
-  foreach(subject recording settings roscore poses)
+  foreach(subject recording settings roscore poses ping_service)
     add_test(NAME ros1_${subject}
       COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/bridges/ros1/${subject}_test.py $<TARGET_FILE:insonify_cli>)
     set_tests_properties(ros1_${subject} PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600)

@@ -52,6 +52,11 @@ struct LiveDrive {
   std::vector<MovedObject> moved = {};  ///< In order, as PingRequest::moved.
   double stamp = 0;                     ///< Time of the pose by that program's clock [s].
   std::vector<CarriedSonar> carried = {};
+  std::uint64_t request = 0;  ///< Passed on in LivePing::request.
+
+  /// With LiveOptions::on_request: called once, in any thread, with "" after the pings of this drive() are passed to
+  /// the listener, or with the reason why there is none.
+  std::function<void(const std::string& error)> done = {};
 };
 
 /// Objects added and removed while pings are made.
@@ -72,6 +77,7 @@ struct LivePing {
   double made_at = 0;         ///< Unix time of completion [s].
   double stamp = 0;           ///< Stamp of the LiveDrive that it was made from [s], 0: none ...
   double received_at = 0;     ///< ... and the Unix time at which drive() was called [s].
+  std::uint64_t request = 0;  ///< Of that LiveDrive.
   double clock = 0;           ///< Time of advance() at transmission [s], 0: none.
 };
 
@@ -215,7 +221,8 @@ class LiveLoop {
   /// ping is made until the next call. fly() has no effect in this mode, place() and follow() are refused.
   /// saved_scenario() has a waypoint per ping, to a micrometre, without `twist`, `moved` and `carried`. With
   /// LiveOptions::followed, missing objects in `moved` are ignored.
-  /// With LiveOptions::on_request, each call makes the next ping, of all sonars that ping at that time.
+  /// With LiveOptions::on_request, each call makes the next ping, of all sonars that ping at that time; an error of
+  /// one call does not pause the loop.
   /// @throws Error for what PingRequest refuses, without LiveOptions::driven, and when 1000 calls wait for their pings.
   void drive(LiveDrive drive);
 

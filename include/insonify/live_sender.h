@@ -54,7 +54,8 @@ struct LiveSenderOptions {
 /// Encodes and sends in a thread of its own, beside the LiveLoop's and the caller's. A ping is sent when its last echo
 /// could be back, by the clock of the pings, or at once with LiveSenderOptions::at_once. If sending takes longer than
 /// the interval between pings, the oldest pings are dropped when more than kMostWaiting are due; with
-/// LiveSenderOptions::lossless the next ping waits.
+/// LiveSenderOptions::lossless the next ping waits. No ping is made while channels are opened, which takes seconds
+/// where the other program is busy.
 class LiveSender : private LiveListener {
  public:
   static constexpr std::size_t kMostWaiting = 4;
@@ -75,6 +76,13 @@ class LiveSender : private LiveListener {
   /// lower by it. No effect on linear values (SonarMessages::levels()).
   void set_gain(std::size_t sonar, double gain_db);
 
+  /// Called once, in any thread: with a sonar image, or with the reason why there is none.
+  using Answer = std::function<void(std::vector<std::byte> image, const std::string& error)>;
+
+  /// With LiveOptions::on_request: makes a ping at a pose. Its messages are sent as those of any other.
+  /// @param sonar  The answer's.
+  void ask(LiveDrive drive, std::size_t sonar, Answer answer);
+
   /// Takes poses, time and settings.
   [[nodiscard]] LiveLoop& loop() { return *loop_; }
 
@@ -92,6 +100,8 @@ class LiveSender : private LiveListener {
   void open(const LiveWorld& world);
   void send_latched(std::uint64_t time_ns);
   void send(const LivePing& ping);
+  [[nodiscard]] bool is_asked(const LivePing& ping);
+  void answer(std::uint64_t request, std::vector<std::byte> image, const std::string& error);
   void note_once(const std::string& problem);
   [[nodiscard]] MessageOptions options_of(const MessageSource& source, std::size_t sonar) const;
 
@@ -103,10 +113,18 @@ class LiveSender : private LiveListener {
   std::condition_variable changed_;
   std::multimap<double, std::shared_ptr<const LivePing>> waiting_;  // By when they are due, see now().
   double clock_ = 0;                                                // Last time passed to LiveLoop::advance() [s].
-  std::shared_ptr<const LiveWorld> opened_;                         // To be opened, before its first ping arrives.
+  std::shared_ptr<const LiveWorld> opened_;                         // To be opened, before its first ping arrives ...
+  bool opening_ = false;                                            // ... and whether that is not done yet.
   std::map<std::size_t, double> gains_db_;                          // By sonar.
   bool gains_changed_ = false;
   std::uint64_t dropped_ = 0;
+  struct Asked {
+    int sonar;
+    Answer answer;
+    bool made = false;  // Whether its ping is to be sent, or was.
+  };
+  std::uint64_t last_request_ = 0;
+  std::map<std::uint64_t, Asked> asked_;  // By LivePing::request.
   bool ending_ = false;
   std::thread translating_;
 

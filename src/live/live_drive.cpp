@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 #include "insonify/error.h"
 #include "live/live_state.h"
@@ -67,8 +68,20 @@ bool LiveLoop::State::drive_to_next(Lock& lock) {
     lock.unlock();
     note("no ping: " + refusal);
     lock.lock();
+    answer_drive(refusal, lock);
   }
   return !drive_refused;
+}
+
+// Tells whoever called drive() that its pings are made, or why none is.
+void LiveLoop::State::answer_drive(const std::string& error, Lock& lock) {
+  if (!drive || !drive->done) {
+    return;
+  }
+  const auto done = std::exchange(drive->done, nullptr);
+  lock.unlock();
+  done(error);
+  lock.lock();
 }
 
 // keep_pace() for another program's clock.

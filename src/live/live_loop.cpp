@@ -84,11 +84,13 @@ void LiveLoop::end() {
     state.being_prepared.reset();
   }
   std::vector<Done> unanswered;
+  std::ranges::transform(state.asked, std::back_inserter(unanswered), [](const auto& each) { return each.first.done; });
+  state.asked.clear();
   std::ranges::transform(stops, std::back_inserter(unanswered), &State::Stop::done);
   std::ranges::transform(undone, std::back_inserter(unanswered), &LiveChange::done);
   for (const Done& done : unanswered) {
     if (done) {
-      done("the simulation ends");
+      done(kEnds);
     }
   }
   if (const std::string error = std::exchange(state.recording_error, ""); !error.empty()) {

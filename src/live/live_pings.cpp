@@ -188,6 +188,7 @@ std::shared_ptr<LivePing> LiveLoop::State::make_one(int sonar, const PingRequest
   ping->made_at = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
   ping->stamp = stamps.stamp;
   ping->received_at = stamps.received_at;
+  ping->request = stamps.request;
   ping->clock = stamps.clock;
   listener->on_ping(ping);
   for (const std::string& text : solids.entered(*simulator, sonar, request)) {
@@ -210,7 +211,7 @@ LiveLoop::State::Made LiveLoop::State::make_all(std::span<const int> sonars, std
     return made;
   } catch (const std::exception& failure) {
     made.error = failure.what();
-    note("paused: " + made.error);
+    note((options.on_request ? "no ping: " : "paused: ") + made.error);
     return made;
   }
   try {
@@ -240,7 +241,8 @@ void LiveLoop::State::make_next(Lock& lock) {
   for (const int sonar : sonars) {
     requests.push_back(next_request(sonar));
   }
-  const Stamps stamps{world, drive ? drive->stamp : 0, drive_received_at, clock.value_or(0)};
+  const Stamps stamps{world, drive ? drive->stamp : 0, drive_received_at, clock.value_or(0),
+                      drive ? drive->request : 0};
   keep_clock();
   keep_pace(due, run->next_time(), sonars);
   lock.unlock();
@@ -252,6 +254,7 @@ void LiveLoop::State::make_next(Lock& lock) {
   }
   const Made made = make_all(sonars, requests, stamps);
   lock.lock();
+  answer_drive(made.interrupted ? kEnds : made.error, lock);
   if (made.interrupted) {
     return;
   }
@@ -259,10 +262,14 @@ void LiveLoop::State::make_next(Lock& lock) {
     fail_recording(made.not_recorded, lock);
   }
   if (!made.error.empty()) {
-    paused = true;
+    paused = !options.on_request;
     steps = 0;
     return;
   }
+  count_made(sonars, lock);
+}
+
+void LiveLoop::State::count_made(std::span<const int> sonars, Lock& lock) {
   for (const int sonar : sonars) {
     run->made(sonar);
   }

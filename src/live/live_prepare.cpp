@@ -11,7 +11,6 @@ namespace insonify {
 namespace {
 
 constexpr std::size_t kMostWishes = 1000;
-constexpr const char* kEnds = "the simulation ends";
 
 void answer(const std::vector<LiveChange>& changes, const std::string& error) {
   for (const LiveChange& change : changes) {

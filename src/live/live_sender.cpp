@@ -56,6 +56,49 @@ void LiveSender::end() {
   changed_.notify_all();
   loop_->end();
   translating_.join();
+  for (const auto& [request, asked] : std::exchange(asked_, {})) {
+    asked.answer({}, "the simulation ends");
+  }
+}
+
+void LiveSender::ask(LiveDrive drive, std::size_t sonar, Answer answer) {
+  {
+    const std::lock_guard lock(mutex_);
+    drive.request = ++last_request_;
+    asked_.emplace(drive.request, Asked{static_cast<int>(sonar), std::move(answer)});
+  }
+  const std::uint64_t request = drive.request;
+  drive.done = [this, request](const std::string& error) {
+    std::unique_lock lock(mutex_);
+    const auto found = asked_.find(request);
+    const bool is_sent = found != asked_.end() && found->second.made;
+    lock.unlock();
+    if (!error.empty() || !is_sent) {
+      this->answer(request, {}, error.empty() ? "the sonar does not ping yet: its ping_period is longer" : error);
+    }
+  };
+  try {
+    loop_->drive(std::move(drive));
+  } catch (const Error& error) {
+    this->answer(request, {}, error.what());
+  }
+}
+
+// Whether ask() waits for this ping.
+bool LiveSender::is_asked(const LivePing& ping) {
+  const std::lock_guard lock(mutex_);
+  const auto asked = asked_.find(ping.request);
+  return asked != asked_.end() && asked->second.sonar == ping.sonar;
+}
+
+// Answers ask(), unless that is done.
+void LiveSender::answer(std::uint64_t request, std::vector<std::byte> image, const std::string& error) {
+  std::unique_lock lock(mutex_);
+  const auto asked = asked_.extract(request);
+  lock.unlock();
+  if (!asked.empty()) {
+    asked.mapped().answer(std::move(image), error);
+  }
 }
 
 void LiveSender::set_gain(std::size_t sonar, double gain_db) {
@@ -80,6 +123,9 @@ void LiveSender::on_ping(const std::shared_ptr<const LivePing>& ping) {
   const SonarConfig& sonar = ping->world->sonars[static_cast<std::size_t>(ping->sonar)];
   const double travel = options_.at_once ? 0 : 2 * sonar.max_range / *sonar.assumed_sound_speed;
   std::unique_lock lock(mutex_);
+  if (const auto asked = asked_.find(ping->request); asked != asked_.end() && asked->second.sonar == ping->sonar) {
+    asked->second.made = true;
+  }
   if (options_.lossless) {
     changed_.wait(lock, [this] { return ending_ || due() < kMostWaiting; });
   }
@@ -100,10 +146,12 @@ void LiveSender::release_all() {
 }
 
 void LiveSender::on_world(const std::shared_ptr<const LiveWorld>& world) {
-  const std::lock_guard lock(mutex_);
+  std::unique_lock lock(mutex_);
   release_all();  // Pings of the world before are sent first.
   opened_ = world;
+  opening_ = true;
   changed_.notify_all();
+  changed_.wait(lock, [this] { return ending_ || !opening_; });
 }
 
 void LiveSender::on_clock(double time) {
@@ -176,8 +224,15 @@ void LiveSender::translate() {
       }
     } catch (const std::exception& error) {
       note_once(error.what());
+      if (ping && is_asked(*ping)) {
+        answer(ping->request, {}, error.what());
+      }
     }
     lock.lock();
+    if (world) {
+      opening_ = opened_ != nullptr;
+      changed_.notify_all();
+    }
   }
 }
 
@@ -248,6 +303,10 @@ void LiveSender::send(const LivePing& live) {
         (is.kind != MessageKind::kScan || messages.is_due(channel))) {
       transport_.send(sonar, channel, messages.time_ns(), messages.encode(channel));
     }
+  }
+  if (is_asked(live)) {
+    const auto image = std::ranges::find(messages.channels(), MessageKind::kSonarImage, &MessageChannel::kind);
+    answer(live.request, messages.encode(static_cast<std::size_t>(image - messages.channels().begin())), "");
   }
   options_.on_sent(steady_time(new_pose ? live.received_at : transmitted), live.computing_time);
 }

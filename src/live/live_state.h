@@ -20,6 +20,9 @@
 
 namespace insonify {
 
+/// Answer to requests that are pending at the end.
+inline constexpr const char* kEnds = "the simulation ends";
+
 /// Two threads: one makes pings, the other prepares changes. `mutex` guards all members unless marked otherwise.
 struct LiveLoop::State {
   using Clock = std::chrono::steady_clock;
@@ -100,6 +103,7 @@ struct LiveLoop::State {
   void wait_for_others(Lock& lock);
   [[nodiscard]] std::optional<double> awaited() const;
   [[nodiscard]] bool drive_to_next(Lock& lock);
+  void answer_drive(const std::string& error, Lock& lock);
   void keep_clock();
 
   // live_objects.cpp: added and removed objects.
@@ -109,6 +113,7 @@ struct LiveLoop::State {
   struct Stamps {  // What pings that are made together carry.
     std::shared_ptr<const LiveWorld> world;
     double stamp, received_at, clock;  // LivePing's.
+    std::uint64_t request;
   };
   struct Made {  // Errors, "": none.
     bool interrupted = false;
@@ -118,6 +123,7 @@ struct LiveLoop::State {
   void make_next(Lock& lock);
   [[nodiscard]] PingRequest next_request(int sonar) const;
   Made make_all(std::span<const int> sonars, std::span<const PingRequest> requests, const Stamps& stamps);
+  void count_made(std::span<const int> sonars, Lock& lock);
   std::shared_ptr<LivePing> make_one(int sonar, const PingRequest& request, const Stamps& stamps);
   void take_place(Lock& lock);
   void apply(LivePrepared next, Lock& lock);

@@ -4,8 +4,12 @@
 
 #include <gmock/gmock.h>
 
+#include <atomic>
 #include <chrono>
 #include <future>
+#include <map>
+#include <mutex>
+#include <utility>
 
 #include "console/outcome.h"
 #include "support/message_of.h"
@@ -42,6 +46,9 @@ class RecordingTransport : public Transport {
     begun_with_ = world.sonars.size();
   }
   void open(std::size_t /*sonar*/, const std::vector<MessageChannel>& channels) override {
+    if (on_open) {
+      on_open();
+    }
     const std::lock_guard lock(mutex_);
     EXPECT_EQ(begun_with_, 1U);  // Before.
     channels_ = channels;
@@ -80,6 +87,7 @@ class RecordingTransport : public Transport {
   std::optional<MessageKind> read = MessageKind::kSonarImage;
   std::chrono::milliseconds takes{0};
   int fails = 0;
+  std::function<void()> on_open;
 
  private:
   [[nodiscard]] std::vector<Sent> of(MessageKind kind) const {
@@ -186,6 +194,19 @@ TEST_F(BridgeTest, ATransportThatIsTooSlowMakesNoQueue) {
   EXPECT_GE(dropped, sequence(images.back()) + 1.0 - static_cast<double>(images.size()));
 }
 
+TEST_F(BridgeTest, NoPingIsMadeWhileChannelsAreOpened) {
+  const auto bridge = this->bridge();
+  std::uint64_t made = 1;
+  transport_.on_open = [&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));  // 30 pings.
+    made = bridge->loop().state().pings_made;
+  };
+  bridge->start();
+  (void)transport_.wait_for(MessageKind::kSonarImage, 1);
+  bridge->end();
+  EXPECT_EQ(made, 0U);
+}
+
 TEST_F(BridgeTest, SurvivesATransportThatFails) {
   transport_.fails = 3;
   const auto bridge = this->bridge();
@@ -218,6 +239,54 @@ TEST_F(BridgeTest, EachPoseHasAPingOnRequest) {
     EXPECT_EQ(sequence(images[i]), i);
   }
   EXPECT_EQ(images.back().time_ns, 90'000'000'000U);
+}
+
+// Twelve at once, and one that is refused among them; nobody reads the images.
+TEST_F(BridgeTest, WhoAsksForAPingGetsItsImageOrAReason) {
+  constexpr int kPoses = 12, kWrong = 5;
+  transport_.read = MessageKind::kPose;
+  BridgeOptions options{.scenario = "dive.yaml", .lossless = true, .quiet = true};
+  options.live.driven = options.live.on_request = true;
+  Bridge bridge(options, transport_, MessageForm::kRos1);
+  bridge.start();
+  std::mutex mutex;
+  std::map<int, std::pair<std::size_t, std::string>> answers;  // Sizes of images, and errors.
+  testing::internal::CaptureStderr();
+  for (int i = 0; i < kPoses; ++i) {
+    const Pose pose{Vec3(i == kWrong ? 1e9 : 0.1 * i, 0, 0), Eigen::Quaterniond::Identity()};
+    bridge.ask({.world_from_vehicle = pose, .stamp = 70.0 + i}, 0,
+               [&, i](const std::vector<std::byte>& image, const std::string& error) {
+                 const std::lock_guard lock(mutex);
+                 EXPECT_TRUE(answers.try_emplace(i, image.size(), error).second) << i;
+               });
+  }
+  (void)transport_.wait_for(MessageKind::kPose, kPoses - 1);
+  bridge.end();
+  (void)testing::internal::GetCapturedStderr();
+  ASSERT_EQ(answers.size(), std::size_t{kPoses});
+  for (const auto& [i, answer] : answers) {
+    EXPECT_EQ(answer.first > 0, i != kWrong) << i << answer.second;
+    EXPECT_EQ(answer.second.empty(), i != kWrong) << i;
+  }
+}
+
+TEST_F(BridgeTest, WhoAsksForAPingIsAnsweredAtTheEnd) {
+  transport_.takes = std::chrono::milliseconds(100);
+  BridgeOptions options{.scenario = "dive.yaml", .lossless = true, .quiet = true};
+  options.live.driven = options.live.on_request = true;
+  Bridge bridge(options, transport_, MessageForm::kRos1);
+  bridge.start();
+  std::atomic<int> images = 0, reasons = 0;
+  for (int i = 0; i < 30; ++i) {
+    bridge.ask({.world_from_vehicle = Pose(), .stamp = 70.0 + i}, 0,
+               [&](const std::vector<std::byte>& /*image*/, const std::string& error) {
+                 ++(error.empty() ? images : reasons);
+                 EXPECT_TRUE(error.empty() || error == "the simulation ends") << error;
+               });
+  }
+  bridge.end();
+  EXPECT_EQ(images + reasons, 30);
+  EXPECT_GT(reasons, 0);
 }
 
 TEST_F(BridgeTest, WhatIsLatchedIsSentOnceBeforeThePings) {

@@ -5,11 +5,15 @@
 #include <ros/param.h>
 #include <ros/this_node.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <filesystem>
+#include <iterator>
+#include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "console/console.h"
 #include "console/outcome.h"
@@ -20,6 +24,7 @@
 #include "ros1/ros_inputs.h"
 #include "ros1/ros_master.h"
 #include "ros1/ros_parameters.h"
+#include "ros1/ros_pings.h"
 #include "ros1/ros_settings.h"
 #include "ros1/ros_topics.h"
 #include "ros1/ros_transport.h"
@@ -95,7 +100,13 @@ int run(const BridgeRequest& given, int& argc, char** argv) {
   inputs.start();
   note_when_asked(IgnoredInterrupt::kEnds);
   std::atomic<bool> ended = false;
-  RosWatch watch(master, pid, settings.services(), [&ended] { ended = true; });
+  std::optional<RosPings> pings;
+  std::vector<std::string> services = settings.services();
+  if (options.live.on_request) {
+    pings.emplace(bridge, options.messages.world_frame);
+    std::ranges::copy(pings->services(), std::back_inserter(services));
+  }
+  RosWatch watch(master, pid, services, [&ended] { ended = true; });
   if (!options.quiet) {
     say("node {} of ROS 1, roscore at {}\n", ros::this_node::getName(), master.uri());
     flush_output();
@@ -113,6 +124,7 @@ int run(const BridgeRequest& given, int& argc, char** argv) {
   guard.said();
   watch.end();
   settings.end();
+  pings.reset();
   inputs.end();
   ros::shutdown();
   while (ros::ok()) {  // ROS is ending the node in a thread of its own.

@@ -26,6 +26,13 @@ double unix_time() {
 
 }  // namespace
 
+LiveDrive drive_of(const RosPlace& place, bool has_clock) {
+  const Pose pose{place.position, without_drift(place.orientation)};
+  return {.world_from_vehicle = pose,
+          .twist = {pose.orientation * place.linear, pose.orientation * place.angular},
+          .stamp = place.stamp != 0 || has_clock ? place.stamp : unix_time()};
+}
+
 RosInputs::RosInputs(const RosInputOptions& options, LiveLoop& loop) : options_(options), loop_(loop) {
   options_.world_frame = bare_frame(options_.world_frame);
 }
@@ -76,13 +83,9 @@ void RosInputs::take_time(double time) {
 }
 
 void RosInputs::drive(const RosPlace& place) {
-  const Pose pose{place.position, without_drift(place.orientation)};
   std::string refusal;
   try {
-    // A message without a stamp counts as current; simulated time starts at 0.
-    loop_.drive({.world_from_vehicle = pose,
-                 .twist = {pose.orientation * place.linear, pose.orientation * place.angular},
-                 .stamp = place.stamp != 0 || options_.clock ? place.stamp : unix_time()});
+    loop_.drive(drive_of(place, options_.clock));
   } catch (const Error& error) {
     refusal = fmt::format("{}: {}", frames_ ? "/tf" : options_.odometry + options_.ping_at, error.what());
   }

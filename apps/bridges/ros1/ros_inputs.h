@@ -26,6 +26,9 @@ struct RosInputOptions {
   bool clock = false;            ///< Whether time comes from /clock.
 };
 
+/// @param has_clock  Whether time comes from /clock, which may be 0; else a pose without a stamp counts as current.
+[[nodiscard]] LiveDrive drive_of(const RosPlace& place, bool has_clock);
+
 /// Passes messages to a LiveLoop, in a thread of its own.
 class RosInputs {
  public:

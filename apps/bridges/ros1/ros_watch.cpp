@@ -88,8 +88,8 @@ void RosWatch::look() {
       complain(fmt::format("roscore at {} does not answer any more; waiting for it", master_.uri()));
     } else if (registration && (!registration->known || *pid != pid_)) {
       register_again();
-      pid_ = *pid;
-      complain("roscore was started again; it knows the node's topics now");
+      complain(fmt::format("roscore {}; it knows the node's topics now",
+                           std::exchange(pid_, *pid) != *pid ? "was started again" : "had forgotten this node"));
     } else if (registration && !is_there) {
       complain("roscore answers again");
     }

@@ -14,8 +14,8 @@
 namespace insonify {
 
 /// Checks twice a second, in a thread of its own, whether roscore is still the same process and knows this node. A
-/// restarted roscore knows none of the node's topics and services, or only the last ones: then all are registered
-/// again. Connections to other nodes stay open.
+/// restarted roscore knows none of the node's topics and services, or only the last ones; after `rosnode cleanup` one
+/// that runs on may know none. Then all are registered again. Connections to other nodes stay open.
 class RosWatch {
  public:
   /// @param pid       Process id of the roscore that ran before the first topic.

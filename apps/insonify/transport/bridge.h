@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <string>
@@ -28,6 +29,11 @@ class Bridge {
 
   /// As LiveSender::set_gain().
   void set_gain(std::size_t sonar, double gain_db) { sender_->set_gain(sonar, gain_db); }
+
+  /// As LiveSender::ask().
+  void ask(LiveDrive drive, std::size_t sonar, LiveSender::Answer answer) {
+    sender_->ask(std::move(drive), sonar, std::move(answer));
+  }
 
   /// Takes poses, time and settings.
   [[nodiscard]] LiveLoop& loop() { return sender_->loop(); }

@@ -186,12 +186,17 @@ def connections(name):
 
 def subscribe(topic, kind, take):
     """A subscriber of which the topic's publishers know: rospy counts connections that are not made yet."""
-    def is_known():
+    def readers():
+        """Those of each publisher."""
         published = dict(xmlrpc.client.ServerProxy(os.environ["ROS_MASTER_URI"]).getSystemState("/test")[2][0])
-        return published.get(topic) and all(rospy.get_name() in connections(node).get((topic, "o"), [])
-                                            for node in published[topic])
+        return [connections(node).get((topic, "o"), []) for node in published.get(topic, [])]
+
+    def is_known():
+        each = readers()
+        return each and all(rospy.get_name() in names for names in each)
     subscriber = rospy.Subscriber(topic, kind, take)
-    wait_for(is_known, message=f"nobody publishes {topic}")
+    wait_for(is_known, message=lambda: f"{topic}: its publishers have the readers {readers()}, the subscriber "
+                                       f"{subscriber.get_num_connections()} connections;")
     return subscriber
 
 
@@ -251,8 +256,8 @@ def far_edge(image):
 _type = None
 
 
-def decoded(image):
-    """A ProjectedSonarImage from its bytes, by the definition that an exported bag has."""
+def image_type():
+    """The class of ProjectedSonarImage, by the definition that an exported bag has."""
     global _type
     if _type is None:
         subprocess.run([INSONIFY, "run", "dive.yaml", "-o", "definition", "--pings", "1", "--no-pictures", "--record", "h5"],
@@ -261,7 +266,12 @@ def decoded(image):
                        cwd=FOLDER, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         with rosbag.Bag(str(FOLDER / "definition.bag")) as bag:
             _type = next(bag.read_messages("/fls/sonar_image", raw=True))[1][4]
-    return _type().deserialize(image)
+    return _type
+
+
+def decoded(image):
+    """A ProjectedSonarImage from its bytes."""
+    return image_type()().deserialize(image)
 
 
 class NodeTest(unittest.TestCase):

@@ -111,6 +111,26 @@ class RoscoreTest(kit.NodeTest):
         self.assertEqual(self.last_y(), -1.5)
         self.assertNotIn("does not answer", node.said())
 
+    # As `rosnode cleanup` does with a node that does not answer in time.
+    def test_a_roscore_that_forgets_it_was_not_started_again(self):
+        master = self.master()
+        node = self.start("--odometry", "/odom")
+        node.wait_to_say("node /insonify of ROS 1")
+        uri = master.proxy.lookupNode("/test", "/insonify")[2]
+        master.proxy.unsubscribeParam("/insonify", uri, "/rosout_disable_topics_generation")
+        for kind, forget in zip(master.proxy.getSystemState("/test")[2],
+                                (lambda topic: master.proxy.unregisterPublisher("/insonify", topic, uri),
+                                 lambda topic: master.proxy.unregisterSubscriber("/insonify", topic, uri),
+                                 lambda name: master.proxy.unregisterService(
+                                     "/insonify", name, master.proxy.lookupService("/test", name)[2]))):
+            for name, nodes in kind:
+                if "/insonify" in nodes:
+                    forget(name)
+        node.wait_to_say("roscore had forgotten this node; it knows the node's topics now")
+        self.assertNotIn("started again", node.said())
+        self.odometry()
+        self.assertEqual(self.images("known.bag", 3), 3)
+
     def last_y(self):
         """y of the third of the poses that come from now on [m]."""
         record = kit.Program("rosbag", "record", "-l", 3, "-O", "pose.bag", "/insonify/pose")
