@@ -225,8 +225,9 @@ if(INSONIFY_BUILD_APPS)
       COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/node/run.py ${node_folder} web/live_test.mjs
               $<TARGET_FILE:insonify_cli>)
     set_tests_properties(viewer_page viewer_live PROPERTIES
-      FIXTURES_REQUIRED node_packages SKIP_RETURN_CODE 77 TIMEOUT 900 COST 1000)
-    # They measure times and rates, whose limits follow the machine's load (tests/web/checks.mjs): others may run beside them.
+      FIXTURES_REQUIRED node_packages SKIP_RETURN_CODE 77 TIMEOUT 900 COST 1000 RESOURCE_LOCK browser)
+    # They measure times and rates, whose limits follow the machine's load (tests/web/checks.mjs): others may run beside them,
+    # but not both, since the processor draws for Chromium.
   endif()
   # `insonify serve` against hostile and unlucky clients.
   if(NOT INSONIFY_SANITIZE)

@@ -2,6 +2,8 @@
 
 import { existsSync } from "node:fs";
 
+import { kPatience } from "./checks.mjs";
+
 const kPlaces = [process.env.CHROMIUM, "/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
 // On a machine that is busy for long, Chromium is not to hold the drawing process for dead, which would lose all WebGL contexts.
 const kFlags = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-gpu-watchdog", "--disable-domain-blocking-for-3d-apis", "--hide-scrollbars", "--mute-audio"];
@@ -19,6 +21,7 @@ export function needBrowser() {
 export async function openPage(puppeteer, { width = 1280, height = 720, scale = 1, theme = "dark", touch = false } = {}) {
   const browser = await puppeteer.launch({ executablePath: needBrowser(), headless: true, args: kFlags });
   const page = await browser.newPage();
+  page.setDefaultTimeout(1000 * kPatience);
   const resize = (w, h) => page.setViewport({ width: w, height: h, deviceScaleFactor: scale, hasTouch: touch, isMobile: false });
   await resize(width, height);
   await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: theme }]);
