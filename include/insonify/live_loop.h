@@ -77,7 +77,7 @@ struct LivePing {
   double made_at = 0;         ///< Unix time of completion [s].
   double stamp = 0;           ///< Stamp of the LiveDrive that it was made from [s], 0: none ...
   double received_at = 0;     ///< ... and the Unix time at which drive() was called [s].
-  std::uint64_t request = 0;  ///< Of that LiveDrive.
+  std::uint64_t request = 0;  ///< LiveDrive::request of that pose.
   double clock = 0;           ///< Time of advance() at transmission [s], 0: none.
 };
 

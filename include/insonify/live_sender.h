@@ -102,6 +102,7 @@ class LiveSender : private LiveListener {
   void send(const LivePing& ping);
   [[nodiscard]] bool is_asked(const LivePing& ping);
   void answer(std::uint64_t request, std::vector<std::byte> image, const std::string& error);
+  void answer_all();
   void note_once(const std::string& problem);
   [[nodiscard]] MessageOptions options_of(const MessageSource& source, std::size_t sonar) const;
 

@@ -114,7 +114,14 @@ void LiveLoop::drive(LiveDrive drive) {
     of_sonar.validate();
   }
   const double now = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-  const State::Lock lock(state.mutex);
+  State::Lock lock(state.mutex);
+  if (state.ending) {  // Nobody would answer.
+    lock.unlock();
+    if (drive.done) {
+      drive.done(kEnds);
+    }
+    return;
+  }
   state.told_idle = false;
   if (state.options.on_request) {
     constexpr std::size_t kMostAsked = 1000;

@@ -269,21 +269,6 @@ void LiveLoop::State::make_next(Lock& lock) {
   count_made(sonars, lock);
 }
 
-void LiveLoop::State::count_made(std::span<const int> sonars, Lock& lock) {
-  for (const int sonar : sonars) {
-    run->made(sonar);
-  }
-  pings_made += sonars.size();
-  recorded_pings = recorder ? recorder->pings() : recorded_pings;
-  steps = std::max(0, steps - 1);
-  if (recorder && recorder->scenario_is_due()) {
-    const LiveRun run_now = *run;
-    lock.unlock();
-    recorder->write_scenario(run_now);
-    lock.lock();
-  }
-}
-
 void LiveLoop::State::make_pings() {
   Lock lock(mutex);
   while (!ending) {

@@ -85,4 +85,20 @@ void LiveLoop::State::begin_next_recording(Lock& lock) {
   }
 }
 
+// After the pings of some sonars.
+void LiveLoop::State::count_made(std::span<const int> sonars, Lock& lock) {
+  for (const int sonar : sonars) {
+    run->made(sonar);
+  }
+  pings_made += sonars.size();
+  recorded_pings = recorder ? recorder->pings() : recorded_pings;
+  steps = std::max(0, steps - 1);
+  if (recorder && recorder->scenario_is_due()) {
+    const LiveRun run_now = *run;
+    lock.unlock();
+    recorder->write_scenario(run_now);
+    lock.lock();
+  }
+}
+
 }  // namespace insonify

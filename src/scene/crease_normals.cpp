@@ -7,6 +7,7 @@
 #include <span>
 
 #include "scene/mesh_steps.h"
+#include "scene/turned_groups.h"
 
 namespace insonify {
 namespace {
@@ -39,49 +40,6 @@ CornerLists corners_by_vertex(const Mesh& mesh) {
   }
   return lists;
 }
-
-// Groups of triangles around one vertex: a disjoint-set forest whose links record whether both ends have the same
-// winding.
-class Groups {
- public:
-  struct Member {
-    std::uint32_t root;
-    bool turned;  // Winds against its root.
-  };
-
-  void reset(std::size_t size) {
-    parent_.resize(size);
-    std::iota(parent_.begin(), parent_.end(), 0U);
-    turned_.assign(size, false);
-  }
-
-  Member find(std::uint32_t member) {
-    bool turned = false;
-    while (parent_[member] != member) {
-      // Point at the grandparent, so that paths stay short.
-      const std::uint32_t up = parent_[member];
-      turned_[member] = turned_[member] != turned_[up];
-      parent_[member] = parent_[up];
-      turned = turned != turned_[member];
-      member = parent_[member];
-    }
-    return {member, turned};
-  }
-
-  // Where a closed chain of triangles reverses its winding (a Moebius strip), the links made first decide.
-  void join(std::uint32_t a, std::uint32_t b, bool turned) {
-    const Member first = find(a);
-    const Member second = find(b);
-    if (first.root != second.root) {
-      parent_[second.root] = first.root;
-      turned_[second.root] = (first.turned != second.turned) != turned;
-    }
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-  std::vector<bool> turned_;
-};
 
 // A triangle as seen from one of its corners.
 struct CornerSize {
@@ -219,7 +177,7 @@ class FanSmoother {
       largest = std::max(largest, sizes_[member].area);
     }
     for (std::uint32_t member = 0; member < corners.size(); ++member) {
-      const Groups::Member group = groups_.find(member);
+      const TurnedGroups::Member group = groups_.find(member);
       const CornerSize& size = sizes_[member];
       const double weight = size.angle * share_beside(largest_[group.root] / size.area);
       sums_[group.root] += (group.turned ? -weight : weight) * face_normals_[corners[member] / 3].cast<double>();
@@ -245,7 +203,7 @@ class FanSmoother {
 
     assigned_.assign(2 * corners.size(), kNone);
     for (std::uint32_t member = 0; member < corners.size(); ++member) {
-      const Groups::Member group = groups_.find(member);
+      const TurnedGroups::Member group = groups_.find(member);
       const Vec3f& own = face_normals_[corners[member] / 3];
       const Vec3f mean = ((group.turned ? -1.0 : 1.0) * sums_[group.root].normalized()).cast<float>();
       std::uint32_t& vertex = mesh_.triangles[corners[member] / 3][corners[member] % 3];
@@ -268,7 +226,7 @@ class FanSmoother {
   float least_cosine_unlike_;
   float half_way_cosine_;
   std::vector<Vec3f> face_normals_;
-  Groups groups_;
+  TurnedGroups groups_;
   std::vector<Spoke> spokes_;
   std::vector<CornerSize> sizes_;
   std::vector<double> largest_;  // Area of the largest triangle, by the root of its group.

@@ -142,10 +142,11 @@ constexpr Case kCases[] = {
        of.sonars[0].focus_range = 3;
        of.sonars[1].focus_range = 4;
      }},
-    {"LoudVolume",  // Louder than the surfaces that end it.
+    {"LoudVolume",  // Louder than the surfaces that end it, half-way through coarse bins.
      [](Scenario& of) {
        of.water.volume_backscatter_db = -20;
        of.receiver.noise = false;
+       of.sonars[0].bin_count = of.sonars[1].bin_count = 24;
      },
      true, -70},
     {"NoiseOfTheSurface",  // Another in each beam of a sonar that lies on its side; whole blocks of bins.

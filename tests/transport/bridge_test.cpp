@@ -13,7 +13,7 @@
 
 #include "console/outcome.h"
 #include "support/message_of.h"
-#include "support/working_folder.h"
+#include "transport/bridge_kit.h"
 
 namespace insonify::bridge_test {
 namespace {
@@ -23,124 +23,6 @@ using testing::Each;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
-
-using Clock = std::chrono::steady_clock;
-
-constexpr const char* kScenario = R"(world: none
-points: [{position: [3, 0.2, 0], target_strength_db: -10}]
-sonars:
-  - {name: fls, beam_count: 12, bin_count: 30, max_range: 6, ping_period: 0.01, sampling: {columns_per_beam: 1, rows: 4}}
-)";
-
-struct Sent {
-  std::size_t sonar, channel;
-  std::uint64_t time_ns;
-  std::vector<std::byte> message;
-};
-
-// Records sent messages, and fails or waits as configured.
-class RecordingTransport : public Transport {
- public:
-  void begin(const LiveWorld& world) override {
-    const std::lock_guard lock(mutex_);
-    begun_with_ = world.sonars.size();
-  }
-  void open(std::size_t /*sonar*/, const std::vector<MessageChannel>& channels) override {
-    if (on_open) {
-      on_open();
-    }
-    const std::lock_guard lock(mutex_);
-    EXPECT_EQ(begun_with_, 1U);  // Before.
-    channels_ = channels;
-    ++opened_;
-  }
-  [[nodiscard]] bool is_read(std::size_t /*sonar*/, std::size_t channel) const override {
-    const std::lock_guard lock(mutex_);
-    return channels_[channel].kind == read;
-  }
-  void send(std::size_t sonar, std::size_t channel, std::uint64_t time_ns,
-            const std::vector<std::byte>& message) override {
-    std::this_thread::sleep_for(takes);
-    const std::lock_guard lock(mutex_);
-    if (channels_[channel].kind != MessageKind::kScenario && fails-- > 0) {
-      throw std::runtime_error("the transport is closed");
-    }
-    sent_.push_back({sonar, channel, time_ns, message});
-    changed_.notify_all();
-  }
-
-  // What was sent of a kind, once so many are there.
-  std::vector<Sent> wait_for(MessageKind kind, std::size_t count) {
-    std::unique_lock lock(mutex_);
-    EXPECT_TRUE(changed_.wait_for(lock, std::chrono::seconds(120), [&] { return of(kind).size() >= count; }));
-    return of(kind);
-  }
-  [[nodiscard]] std::vector<Sent> all() const {
-    const std::lock_guard lock(mutex_);
-    return sent_;
-  }
-  [[nodiscard]] int opened() const {
-    const std::lock_guard lock(mutex_);
-    return opened_;
-  }
-
-  std::optional<MessageKind> read = MessageKind::kSonarImage;
-  std::chrono::milliseconds takes{0};
-  int fails = 0;
-  std::function<void()> on_open;
-
- private:
-  [[nodiscard]] std::vector<Sent> of(MessageKind kind) const {
-    std::vector<Sent> found;
-    for (const Sent& each : sent_) {
-      if (channels_[each.channel].kind == kind) {
-        found.push_back(each);
-      }
-    }
-    return found;
-  }
-
-  mutable std::mutex mutex_;
-  std::condition_variable changed_;
-  std::vector<MessageChannel> channels_;
-  std::vector<Sent> sent_;
-  int opened_ = 0;
-  std::size_t begun_with_ = 0;
-};
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-class BridgeTest : public testing::Test {
- protected:
-  BridgeTest() { folder_.write("dive.yaml", kScenario); }
-
-  std::unique_ptr<Bridge> bridge(const LiveOptions& live = {}, bool at_once = false) {
-    return std::make_unique<Bridge>(
-        BridgeOptions{.scenario = "dive.yaml", .live = live, .at_once = at_once, .quiet = true}, transport_,
-        MessageForm::kRos1);
-  }
-
-  // Waits until so many pings are made.
-  static void wait_for_pings(Bridge& bridge, std::uint64_t count) {
-    const Clock::time_point start = Clock::now();
-    while (bridge.loop().state().pings_made < count && seconds_since(start) < 120) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    EXPECT_GE(bridge.loop().state().pings_made, count);
-  }
-
-  WorkingFolder folder_;
-  RecordingTransport transport_;
-};
-
-// Number of the ping, the first field of a message's header in ROS 1.
-std::uint32_t sequence(const Sent& sent) {
-  std::uint32_t number = 0;
-  std::memcpy(&number, sent.message.data(), sizeof number);
-  return number;
-}
 
 TEST_F(BridgeTest, SendsEveryPingInOrder) {
   const auto bridge = this->bridge();
@@ -216,77 +98,6 @@ TEST_F(BridgeTest, SurvivesATransportThatFails) {
   bridge->end();
   EXPECT_GE(sequence(images.front()), 3U);  // More where pings are dropped, which a busy machine has no time to send.
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "insonify: the transport is closed\n");  // Once.
-}
-
-// Faster than they are made, and held until their sound is back: none is lost, none comes in between.
-TEST_F(BridgeTest, EachPoseHasAPingOnRequest) {
-  constexpr int kPoses = 12;
-  BridgeOptions options{.scenario = "dive.yaml", .lossless = true, .quiet = true};
-  options.live.driven = options.live.on_request = true;
-  const auto bridge = std::make_unique<Bridge>(options, transport_, MessageForm::kRos1);
-  bridge->start();
-  for (int i = 0; i < kPoses; ++i) {
-    const Pose pose{Vec3(0.1 * i, 0, 0), Eigen::Quaterniond::Identity()};
-    bridge->loop().drive({.world_from_vehicle = pose, .stamp = 70.0 + i});
-  }
-  (void)transport_.wait_for(MessageKind::kSonarImage, kPoses);
-  bridge->loop().drive({.world_from_vehicle = Pose(), .stamp = 90});
-  const std::vector<Sent> images = transport_.wait_for(MessageKind::kSonarImage, kPoses + 1);
-  bridge->end();
-  ASSERT_EQ(images.size(), std::size_t{kPoses + 1});
-  for (std::size_t i = 0; i < kPoses; ++i) {
-    EXPECT_EQ(images[i].time_ns, (70 + i) * 1'000'000'000) << i;
-    EXPECT_EQ(sequence(images[i]), i);
-  }
-  EXPECT_EQ(images.back().time_ns, 90'000'000'000U);
-}
-
-// Twelve at once, and one that is refused among them; nobody reads the images.
-TEST_F(BridgeTest, WhoAsksForAPingGetsItsImageOrAReason) {
-  constexpr int kPoses = 12, kWrong = 5;
-  transport_.read = MessageKind::kPose;
-  BridgeOptions options{.scenario = "dive.yaml", .lossless = true, .quiet = true};
-  options.live.driven = options.live.on_request = true;
-  Bridge bridge(options, transport_, MessageForm::kRos1);
-  bridge.start();
-  std::mutex mutex;
-  std::map<int, std::pair<std::size_t, std::string>> answers;  // Sizes of images, and errors.
-  testing::internal::CaptureStderr();
-  for (int i = 0; i < kPoses; ++i) {
-    const Pose pose{Vec3(i == kWrong ? 1e9 : 0.1 * i, 0, 0), Eigen::Quaterniond::Identity()};
-    bridge.ask({.world_from_vehicle = pose, .stamp = 70.0 + i}, 0,
-               [&, i](const std::vector<std::byte>& image, const std::string& error) {
-                 const std::lock_guard lock(mutex);
-                 EXPECT_TRUE(answers.try_emplace(i, image.size(), error).second) << i;
-               });
-  }
-  (void)transport_.wait_for(MessageKind::kPose, kPoses - 1);
-  bridge.end();
-  (void)testing::internal::GetCapturedStderr();
-  ASSERT_EQ(answers.size(), std::size_t{kPoses});
-  for (const auto& [i, answer] : answers) {
-    EXPECT_EQ(answer.first > 0, i != kWrong) << i << answer.second;
-    EXPECT_EQ(answer.second.empty(), i != kWrong) << i;
-  }
-}
-
-TEST_F(BridgeTest, WhoAsksForAPingIsAnsweredAtTheEnd) {
-  transport_.takes = std::chrono::milliseconds(100);
-  BridgeOptions options{.scenario = "dive.yaml", .lossless = true, .quiet = true};
-  options.live.driven = options.live.on_request = true;
-  Bridge bridge(options, transport_, MessageForm::kRos1);
-  bridge.start();
-  std::atomic<int> images = 0, reasons = 0;
-  for (int i = 0; i < 30; ++i) {
-    bridge.ask({.world_from_vehicle = Pose(), .stamp = 70.0 + i}, 0,
-               [&](const std::vector<std::byte>& /*image*/, const std::string& error) {
-                 ++(error.empty() ? images : reasons);
-                 EXPECT_TRUE(error.empty() || error == "the simulation ends") << error;
-               });
-  }
-  bridge.end();
-  EXPECT_EQ(images + reasons, 30);
-  EXPECT_GT(reasons, 0);
 }
 
 TEST_F(BridgeTest, WhatIsLatchedIsSentOnceBeforeThePings) {

@@ -9,13 +9,14 @@
 
 #include <cstdint>
 #include <cstring>
-#include <tuple>
 #include <utility>
+
+#include "ros1/ros_place.h"
 
 namespace insonify {
 namespace {
 
-// Of ros1/srv/Ping.srv, as genmsg computes it.
+// Checksum of ros1/srv/Ping.srv, as genmsg computes it.
 constexpr const char* kMd5 = "fc4a8ab1cf7da417c018dd592cb4503d";
 
 struct PingHelper : ros::ServiceCallbackHelper {
@@ -26,13 +27,7 @@ struct PingHelper : ros::ServiceCallbackHelper {
   bool call(ros::ServiceCallbackHelperCallParams& call) override {
     geometry_msgs::PoseStamped pose;
     ros::serialization::deserializeMessage(call.request, pose);
-    RosPlace place;
-    place.frame = bare_frame(pose.header.frame_id);
-    place.stamp = pose.header.stamp.toSec();
-    const auto& [position, orientation] = std::tie(pose.pose.position, pose.pose.orientation);
-    place.position = {position.x, position.y, position.z};
-    place.orientation = {orientation.w, orientation.x, orientation.y, orientation.z};
-    const std::vector<std::byte> image = make(place);
+    const std::vector<std::byte> image = make(place_of(pose.header, pose.pose));
     constexpr std::size_t kHead = 5;  // [byte]
     ros::SerializedMessage& response = call.response;
     response.num_bytes = kHead + image.size();

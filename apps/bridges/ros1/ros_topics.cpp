@@ -10,6 +10,8 @@
 
 #include <utility>
 
+#include "ros1/ros_place.h"
+
 namespace insonify {
 namespace {
 
@@ -17,15 +19,6 @@ constexpr int kNewest = 1, kSome = 10, kAll = 1000;  // Queue lengths.
 
 Eigen::Vector3d vector(const geometry_msgs::Vector3& from) {
   return {from.x, from.y, from.z};
-}
-
-RosPlace place_of(const std_msgs::Header& header, const geometry_msgs::Pose& pose) {
-  RosPlace place;
-  place.frame = bare_frame(header.frame_id);
-  place.stamp = header.stamp.toSec();
-  place.position = {pose.position.x, pose.position.y, pose.position.z};
-  place.orientation = {pose.orientation.w, pose.orientation.x, pose.orientation.y, pose.orientation.z};
-  return place;
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ struct RoughPath {
 /// Where the other facets by which sound reaches the second surface lie, seen from the sonar.
 struct OtherFacets {
   Triple image;   ///< Direction to the second surface's image in the smooth mirror, unit length.
-  Real variance;  ///< Of their bearings about that of the image [rad^2].
+  Real variance;  ///< Variance of their bearings about that of the image [rad^2].
 };
 
 /// Seen from the sonar they are spread by 2 s across/(range + across) in the plane of incidence, and by that times

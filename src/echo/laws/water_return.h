@@ -11,7 +11,7 @@ CONSTANT Real kLeastWaterShare = REAL(1e-6);
 struct WaterLeg {
   Triple rising;       ///< Unit vector from the point to where the surface reflects.
   Real first, second;  ///< Lengths from the point to the surface and from there to the sonar [m].
-  Real cosine;         ///< Of the angle of incidence on the surface.
+  Real cosine;         ///< Cosine of the angle of incidence on the surface.
 };
 
 /// @param level  z of the surface; point and sonar lie below [m].

@@ -173,7 +173,7 @@ TEST_F(DdsBridgeTest, MessagesAreThoseOfTheRecordings) {
   EXPECT_LT(seconds, kPrompt);
 }
 
-// Of messages that begin with a header, those with stamps from a time on [s].
+// Messages with stamps from a time on [s]; they begin with a header.
 std::vector<Bytes> from(std::int32_t time, const std::vector<Bytes>& messages) {
   std::vector<Bytes> found;
   std::ranges::copy_if(messages, std::back_inserter(found),

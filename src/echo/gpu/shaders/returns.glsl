@@ -34,7 +34,7 @@ void add_both_ways(PingAt ping, PlanTables plan, Reflecting from, SpreadEcho ech
 // The hit of a reflected ray.
 struct SecondHit {
   vec3 mirror, point;  // Where both surfaces were hit.
-  vec3 normal;         // Of the second surface, of any length and side.
+  vec3 normal;         // The second surface's, of any length and side.
   vec3 direction;      // In which the sound came, unit length.
   float texture;       // Factor on the amplitude of the second surface.
   float reflected;     // Share |R|^2 of the mirror.
