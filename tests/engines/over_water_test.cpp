@@ -47,12 +47,19 @@ FlatPlanSettings settings(SecondaryEchoes secondary) {
   return {.sonar = sonar, .model = EchoModel::kCalibrated, .secondary = secondary, .seed = 3};
 }
 
-EchoGrid echoes_under_a_sea(const std::string& engine, Scene scene, double wind_speed,
-                            SecondaryEchoes secondary = SecondaryEchoes::kAll) {
+// @param legs  Rays that were sent back to the sonar.
+EchoGrid echoes_under_a_sea(const std::string& engine_name, Scene scene, double wind_speed,
+                            SecondaryEchoes secondary = SecondaryEchoes::kAll, std::uint64_t* legs = nullptr) {
   FlatPlanSettings with = settings(secondary);
   add_sea(scene, Vec3::Zero(), wind_speed, with.sonar.frequency);
   with.materials = scene.materials;
-  return echoes_of(engine, scene, with, {.position = kSonar});
+  const auto engine = test_engine(engine_name, 2);
+  engine->set_scene(scene);
+  const EchoGrid echoes = echoes_of(*engine, with, {.position = kSonar});
+  if (legs != nullptr) {
+    *legs = engine->ray_counts().return_legs;
+  }
+  return echoes;
 }
 
 class OverWaterTest : public testing::TestWithParam<std::string> {};
@@ -63,8 +70,11 @@ INSTANTIATE_TEST_SUITE_P(Engines, OverWaterTest, testing::ValuesIn(engines_to_co
 TEST_P(OverWaterTest, EchoesAreThoseOfTheReference) {
   for (const double wind_speed : {0.0, 0.25}) {
     for (const SecondaryEchoes secondary : {SecondaryEchoes::kAll, SecondaryEchoes::kSelective}) {
-      const EchoGrid reference = echoes_under_a_sea("reference", wall_and_plate(), wind_speed, secondary);
-      const EchoGrid echoes = echoes_under_a_sea(GetParam(), wall_and_plate(), wind_speed, secondary);
+      std::uint64_t expected_legs = 0, legs = 0;
+      const EchoGrid reference =
+          echoes_under_a_sea("reference", wall_and_plate(), wind_speed, secondary, &expected_legs);
+      const EchoGrid echoes = echoes_under_a_sea(GetParam(), wall_and_plate(), wind_speed, secondary, &legs);
+      EXPECT_NEAR(static_cast<double>(legs) / static_cast<double>(expected_legs), 1, 0.01);
       EXPECT_GT(total(reference, 3), 0);
       EXPECT_LE(difference(reference, echoes, 3), kOrderTolerances[2]);
     }

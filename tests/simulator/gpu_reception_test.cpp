@@ -12,6 +12,10 @@ using namespace testing_scenes;
 // of a step is 1e-3 of their phase.
 constexpr double kRounding = 2e-3;
 
+// The same where volume or noise are louder than surfaces: 3e-4 is measured, the half of the bins in which hits end the
+// volume is 1e-3.
+constexpr double kSmoothRounding = 5e-4;
+
 struct Case {
   const char* name;
   void (*change)(Scenario&);
@@ -89,6 +93,7 @@ void expect_same_labels(const Ping& device, const Ping& host, bool weak) {
 
 TEST_P(GpuReceptionTest, GivesThePingsOfTheHostsReceiver) {
   const Scene scene = scene_of(GetParam());
+  const bool weak = GetParam().lambert_db != 0;
   Scenario on_host = scenario_of(GetParam());
   on_host.motion_in_ping = true;
   Simulator device(scenario_of(GetParam()), scene, 2, crossing_objects());
@@ -106,10 +111,10 @@ TEST_P(GpuReceptionTest, GivesThePingsOfTheHostsReceiver) {
   EXPECT_FALSE(received_on_device(host));
   for (std::size_t i = 0; i < received.pings.size(); ++i) {
     SCOPED_TRACE(testing::Message() << "ping " << i);
-    EXPECT_LE(apart(expected.pings[i], received.pings[i]), kRounding);
+    EXPECT_LE(apart(expected.pings[i], received.pings[i]), weak ? kSmoothRounding : kRounding);
     expect_same_counts(received.pings[i], expected.pings[i]);
     expect_same_field(received.pings[i], expected.pings[i]);
-    expect_same_labels(received.pings[i], expected.pings[i], GetParam().lambert_db != 0);
+    expect_same_labels(received.pings[i], expected.pings[i], weak);
   }
 }
 
