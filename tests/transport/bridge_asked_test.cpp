@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <future>
 #include <map>
 #include <mutex>
 #include <string>
@@ -84,6 +85,27 @@ TEST_F(BridgeAskedTest, WhoAsksForAPingIsAnsweredAtTheEnd) {
   bridge->end();
   EXPECT_EQ(images + reasons, 30);
   EXPECT_GT(reasons, 0);
+}
+
+// With the second pose the slower sonar's time has not come.
+TEST_F(BridgeAskedTest, WhoAsksASonarThatDoesNotPingYetIsTold) {
+  folder_.write("dive.yaml", R"(world: none
+points: [{position: [3, 0.2, 0], target_strength_db: -10}]
+sonars:
+  - {name: fast, beam_count: 12, bin_count: 30, max_range: 6, ping_period: 0.01, sampling: {columns_per_beam: 1, rows: 4}}
+  - {name: slow, beam_count: 12, bin_count: 30, max_range: 6, ping_period: 0.05, sampling: {columns_per_beam: 1, rows: 4}}
+)");
+  const auto bridge = this->bridge();
+  bridge->start();
+  for (const bool pings : {true, false}) {
+    std::promise<std::string> reason;
+    bridge->ask({.world_from_vehicle = Pose(), .stamp = pings ? 70.0 : 71.0}, 1,
+                [&](const std::vector<std::byte>& image, const std::string& error) {
+                  EXPECT_EQ(!image.empty(), pings);
+                  reason.set_value(error);
+                });
+    EXPECT_EQ(reason.get_future().get(), pings ? "" : "the sonar does not ping yet: its ping_period is longer");
+  }
 }
 
 // Nothing is waited for that will never come.

@@ -47,7 +47,7 @@ class RecordingTransport : public Transport {
       on_open();
     }
     const std::lock_guard lock(mutex_);
-    EXPECT_EQ(begun_with_, 1U);  // Before.
+    EXPECT_GT(begun_with_, 0U);  // Before.
     channels_ = channels;
     ++opened_;
   }
