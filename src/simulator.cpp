@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
+
 #include "echo/engine.h"
 #include "insonify/error.h"
 #include "insonify/scenario_requests.h"
@@ -67,8 +70,14 @@ EngineMemory Simulator::engine_memory() const {
 
 std::vector<double> Simulator::time_traversal(int index, const Pose& world_from_sonar, int repetitions) {
   state_->load_scene();
-  const PingView view{.plan = state_->sonar(index).plan.get(), .world_from_sonar = world_from_sonar};
-  std::vector<double> seconds = state_->engine->time_traversal(view, repetitions);
+  std::vector<double> seconds;
+  for (const Aperture& aperture : state_->sonar(index).apertures) {
+    const PingView view{.plan = aperture.plan.get(),
+                        .world_from_sonar = world_from_sonar * aperture.housing_from_aperture};
+    const std::vector<double> more = state_->engine->time_traversal(view, repetitions);
+    seconds.resize(more.size());
+    std::ranges::transform(seconds, more, seconds.begin(), std::plus());
+  }
   if (seconds.empty()) {
     throw Error(fmt::format("engine \"{}\" traces its rays itself: there is no bare traversal to time",
                             state_->scenario.engine));

@@ -27,15 +27,17 @@ inline constexpr double kSteepestElevation = radians_from_degrees(89);
 inline constexpr double kWidestElement = radians_from_degrees(175);
 
 /// Forward-looking: each ping insonifies the whole fan. Mechanically scanned: one beam, turned by a step after each
-/// ping.
-enum class SonarType { kForwardLooking, kMechanicallyScanned };
+/// ping. Side-scan: two beams, narrow along the track and tall, one to port and one to starboard.
+enum class SonarType { kForwardLooking, kMechanicallyScanned, kSideScan };
 template <>
 constexpr auto words_of<SonarType>() {
-  return EnumWords<SonarType, 2>{{{"fls", SonarType::kForwardLooking}, {"msis", SonarType::kMechanicallyScanned}}};
+  return EnumWords<SonarType, 3>{
+      {{"fls", SonarType::kForwardLooking}, {"msis", SonarType::kMechanicallyScanned}, {"sss", SonarType::kSideScan}}};
 }
 
-/// What the pings of a sonar make: each the picture of a fan, or lines of one picture.
-enum class Product { kImage, kLine };
+/// What the pings of a sonar make: each the picture of a fan, or lines of one picture: sectors of a plan or a slice, or
+/// rows of a waterfall.
+enum class Product { kImage, kLine, kWaterfall };
 
 /// How a fan's beams get their directions: by delays between elements, or by a lens.
 enum class Steering { kElectronic, kLens };
@@ -51,7 +53,7 @@ constexpr auto words_of<Mapping>() {
   return EnumWords<Mapping, 2>{{{"gamma", Mapping::kGamma}, {"logarithmic", Mapping::kLogarithmic}}};
 }
 
-/// An imaging sonar seen as a fan of beams cut into range bins.
+/// An imaging sonar seen as beams cut into range bins.
 ///
 /// One ping insonifies the whole fan at once. Each beam collects the echoes of its own slice of azimuth over the full
 /// elevation aperture and sorts them by range into bins.
@@ -78,9 +80,11 @@ struct SonarConfig {
   PulseWindow pulse_window = PulseWindow::kRectangular;  ///< Weights of the band, kLfm.
 
   // Fan of beams.
-  int beam_count = 256;                                 ///< Beams across the azimuth aperture, 1..4096.
+  int beam_count = 256;                                 ///< Beams across the azimuth aperture, 1..4096; of a
+                                                        ///< scanning head 1, of a side-scan sonar 2.
   double azimuth_aperture = radians_from_degrees(120);  ///< Full width of the fan [rad], in (0, 2 pi]; with
-                                                        ///< beam_azimuths that of bearings(), see set_bearings().
+                                                        ///< beam_azimuths that of bearings(), see set_bearings(). Of a
+                                                        ///< side-scan sonar that of each beam, along the track.
   std::vector<double>
       beam_azimuths;  ///< Explicit centres, falling from port to starboard [rad]; evenly spaced in angle when empty.
   std::vector<double>
@@ -154,6 +158,9 @@ struct SonarConfig {
 
   RotatingScan head;  ///< How the head turns; scanning sonars only.
 
+  /// Angle of both sides' acoustic axes below the housing's x-y plane [rad], 0..90 deg; side-scan sonars only.
+  double depression = radians_from_degrees(30);
+
   // Pose on the vehicle, or in the world if there is no trajectory.
   Vec3 position = Vec3::Zero();     ///< [m], within 1e7.
   Vec3 orientation = Vec3::Zero();  ///< Roll, pitch, yaw as in SDF: positive pitch looks down [rad], within 1e6 deg.
@@ -185,13 +192,14 @@ struct SonarConfig {
   }
 
   /// Whether the array across bearings transmits too.
-  [[nodiscard]] bool is_two_way() const { return two_way_array || scans(); }
+  [[nodiscard]] bool is_two_way() const { return two_way_array || scans() || is_side_scan(); }
 
   /// Azimuth of the centre of beam `beam` [rad]; falls from port (beam 0) to starboard.
   [[nodiscard]] double beam_azimuth(int beam) const;
 
   /// The slices of azimuth that the beams cover. Without beam_widths they touch: edges are midway between centres, the
-  /// outermost beams extend as far outwards as inwards, and evenly spaced beams fill the aperture exactly.
+  /// outermost beams extend as far outwards as inwards, and evenly spaced beams fill the aperture exactly. Those of a
+  /// side-scan sonar are azimuth_aperture wide, abeam.
   [[nodiscard]] BearingGrid bearings() const;
 
   /// Sets beam_count, beam_azimuths, beam_widths and azimuth_aperture to those of a grid, which may have gaps:
@@ -207,8 +215,26 @@ struct SonarConfig {
   [[nodiscard]] Scan scan() const { return type == SonarType::kMechanicallyScanned ? Scan(head) : Scan(FixedScan()); }
   [[nodiscard]] bool scans() const { return std::holds_alternative<RotatingScan>(scan()); }
 
+  /// The only type of sonar that has a setting; none where all do.
+  /// @param field  Its name: "step".
+  [[nodiscard]] static std::optional<SonarType> only_type(std::string_view field);
+
+  [[nodiscard]] bool is_side_scan() const { return type == SonarType::kSideScan; }
+
   /// What its pings make.
-  [[nodiscard]] Product product() const { return scans() ? Product::kLine : Product::kImage; }
+  [[nodiscard]] Product product() const {
+    return is_side_scan() ? Product::kWaterfall : scans() ? Product::kLine : Product::kImage;
+  }
+
+  // Apertures: transducers of one housing that look elsewhere at the same time. Those of a side-scan sonar are its two
+  // sides, beams 0 (port) and 1 (starboard) of its pings; any other sonar is one aperture.
+  [[nodiscard]] int aperture_count() const { return is_side_scan() ? 2 : 1; }
+
+  /// An aperture as a sonar by itself: the sonar, or a side as a fan of one beam along x.
+  [[nodiscard]] SonarConfig aperture(int index) const;
+
+  /// Pose of an aperture: of a side, turned abeam and down by the depression; else that of the housing.
+  [[nodiscard]] Pose housing_from_aperture(int index) const;
 
   /// Angle of the head at a ping, 0 for a forward-looking sonar [rad].
   [[nodiscard]] double head_angle(std::uint64_t ping) const {

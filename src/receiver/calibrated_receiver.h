@@ -90,6 +90,9 @@ class CalibratedReceiver {
   /// is only here: motion, clutter, few scatterers, looks, no speckle.
   [[nodiscard]] const std::shared_ptr<const FlatReceiver>& flat() const { return flat_; }
 
+  /// Bins, from the first, in which the transmit leak is above the noise: TransmitLeak::covered_bins().
+  [[nodiscard]] int covered_bins() const { return leak_ ? leak_->covered_bins() : 0; }
+
   /// Sets what flat() needs for a ping.
   void aim(std::span<const DisplacedInstance> displaced, const Pose& world_from_sonar, Reception& reception);
 

@@ -109,7 +109,7 @@ void check_pulse_band(const std::string& object, const ReceiverConfig& receiver,
 
 void check_receivers(const Scenario& scenario) {
   for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
-    const SonarConfig& sonar = scenario.sonars[i];
+    const SonarConfig sonar = scenario.sonars[i].aperture(0);
     const ReceiverConfig& receiver = scenario.receiver_of(sonar);
     const std::string object = sonar.receiver ? fmt::format("sonars[{}].receiver", i) : "receiver";
     check_beams(object, receiver, i, sonar);

@@ -54,7 +54,7 @@ class ThrusterPaths final : public EchoSource {
 using Source = std::unique_ptr<EchoSource>;
 
 bool has_array(const SourceSettings& settings) {
-  return settings.scenario.receiver_of(settings.sonar.config).azimuth_pattern != BeamPattern::kTopHat;
+  return settings.scenario.receiver_of(settings.aperture.config).azimuth_pattern != BeamPattern::kTopHat;
 }
 
 Source thin_echoes(const SourceSettings& settings, const SourceSet&) {
@@ -63,11 +63,11 @@ Source thin_echoes(const SourceSettings& settings, const SourceSet&) {
 }
 
 Source random_walks(const SourceSettings& settings, const SourceSet&) {
-  if (!settings.sonar.walks) {
+  if (!settings.aperture.walks) {
     return nullptr;
   }
-  RandomWalks::Settings walks = *settings.sonar.walks;
-  walks.elsewhere = {.corners = CornerEchoes::act(*settings.targets.corners, *settings.sonar.plan),
+  RandomWalks::Settings walks = *settings.aperture.walks;
+  walks.elsewhere = {.corners = CornerEchoes::act(*settings.targets.corners, *settings.aperture.plan),
                      .water = settings.water.value_or(kNoSurface)};
   walks.waves = settings.water && settings.scenario.surface->wind_speed > 0 ? *settings.water : kNoSurface;
   return std::make_unique<RandomWalks>(walks);
@@ -75,7 +75,7 @@ Source random_walks(const SourceSettings& settings, const SourceSet&) {
 
 Source corner_echoes(const SourceSettings& settings, const SourceSet&) {
   const auto& corners = settings.targets.corners;
-  return CornerEchoes::act(*corners, *settings.sonar.plan) ? std::make_unique<CornerEchoes>(corners) : nullptr;
+  return CornerEchoes::act(*corners, *settings.aperture.plan) ? std::make_unique<CornerEchoes>(corners) : nullptr;
 }
 
 Source point_echoes(const SourceSettings& settings, const SourceSet&) {
@@ -106,7 +106,7 @@ Source point_ghosts(const SourceSettings& settings, const SourceSet&) {
   if (settings.water) {
     water = {.level = scenario.surface->level, .label = *settings.water, .waves = scenario.surface->wind_speed > 0};
   }
-  const bool phases = scenario.receiver_of(settings.sonar.config).speckle;
+  const bool phases = scenario.receiver_of(settings.aperture.config).speckle;
   return std::make_unique<PointGhosts>(scenario.points, water, settings.targets.mirrors, phases);
 }
 
@@ -116,9 +116,9 @@ Source interference(const SourceSettings& settings, const SourceSet&) {
 }
 
 Source mutual_interference(const SourceSettings& settings, const SourceSet&) {
-  return settings.senders.empty()
-             ? nullptr
-             : std::make_unique<MutualInterference>(settings.senders, settings.sonar.config.name, has_array(settings));
+  return settings.senders.empty() ? nullptr
+                                  : std::make_unique<MutualInterference>(
+                                        settings.senders, settings.aperture.config.name, has_array(settings));
 }
 
 Source thruster_paths(const SourceSettings& settings, const SourceSet&) {

@@ -8,8 +8,8 @@
 #include "echo/batch/source_set.h"
 #include "echo/targets/scene_targets.h"
 #include "insonify/scenario.h"
+#include "simulator/aperture.h"
 #include "simulator/mutual_interference.h"
-#include "simulator/simulated_sonar.h"
 
 namespace insonify {
 
@@ -17,13 +17,13 @@ namespace insonify {
 struct SourceSettings {
   const Scenario& scenario;
   const SceneTargets& targets;
-  const SimulatedSonar& sonar;
+  const Aperture& aperture;
   std::span<const SendingSonar> senders;  ///< All sonars, where they receive each other's pulses; else empty.
   std::optional<SurfaceLabel> water;      ///< The sea's surface; none where there is no sea surface.
 };
 
-/// The sources that a sonar's pings have; none in the paper model. To add a kind of source, write its class and a line
-/// in echo_sources.cpp.
+/// The sources that the pings of an aperture have; none in the paper model. To add a kind of source, write its class
+/// and a line in echo_sources.cpp.
 [[nodiscard]] SourceSet make_sources(const SourceSettings& settings);
 
 }  // namespace insonify

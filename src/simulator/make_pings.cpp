@@ -20,17 +20,19 @@ constexpr std::size_t kAtOnce = 256;
 // which few are hit, while the host computes those that are.
 constexpr std::size_t kMostFrames = 16;
 
-// Where a request has the sonar.
-PingView view_of(const SimulatedSonar& sonar, const PingRequest& request, const Placement& placement) {
-  const Pose head = housing_from_head(sonar.head_angle(request));
-  return {.plan = sonar.plan.get(),
-          .world_from_sonar = request.world_from_vehicle * sonar.vehicle_from_housing * head,
+// Where a request has an aperture of the sonar.
+PingView view_of(const SimulatedSonar& sonar, const Aperture& aperture, const PingRequest& request,
+                 const Placement& placement) {
+  const Pose vehicle_from_aperture =
+      sonar.vehicle_from_housing * housing_from_head(sonar.head_angle(request)) * aperture.housing_from_aperture;
+  return {.plan = aperture.plan.get(),
+          .world_from_sonar = request.world_from_vehicle * vehicle_from_aperture,
           .placement = &placement,
-          .layers = sonar.layers,
+          .layers = aperture.layers,
           .number = request.number,
           .time = request.time,
           .world_from_vehicle = request.world_from_vehicle,
-          .vehicle_from_sonar = sonar.vehicle_from_housing * head};
+          .vehicle_from_sonar = vehicle_from_aperture};
 }
 
 void add_times(const std::vector<StepTime>& more, std::vector<StepTime>& sums) {
@@ -52,49 +54,47 @@ std::span<const std::optional<Vec3>> thrusters_in(const SourceSet& sources) {
 
 }  // namespace
 
-// Passes each view's echoes through the receiver of its sonar.
+// Passes each view's echoes through the receiver of its aperture.
 class Simulator::State::Receiver final : public EchoReceiver {
  public:
   /// @param first  The first view of the batch in State::views_.
-  Receiver(State& state, std::span<const PingOrder> orders, std::size_t first)
-      : state_(state), orders_(orders), first_(first) {}
+  Receiver(State& state, std::size_t first) : state_(state), first_(first) {}
 
   void receive(std::size_t view, const EchoGrid& grid, const FormedBeams* formed, Workers& workers,
                int worker) override {
-    const PingOrder& order = orders_[view];
-    const SimulatedSonar& sonar = state_.sonars[order.sonar];
+    const Shot& shot = state_.shots_[first_ + view];
     const PingView& from = state_.views_[first_ + view];
     const Scenario& scenario = state_.scenario;
-    Ping& ping = *order.ping;
-    ping.number = order.request->number;
-    ping.time = order.request->time;
-    ping.head_angle = sonar.head_angle(*order.request);
-    ping.world_from_sonar = order.request->world_from_vehicle * sonar.vehicle_from_housing;
+    const Aperture& aperture = *shot.aperture;
+    Ping& ping = *shot.ping;
+    ping.number = shot.request->number;
+    ping.time = shot.request->time;
+    ping.head_angle = shot.sonar->head_angle(*shot.request);
+    ping.world_from_sonar = shot.request->world_from_vehicle * shot.sonar->vehicle_from_housing;
     if (scenario.model == EchoModel::kPaper) {
-      PaperReceiver(grid, sonar.config,
-                    {.model = scenario.paper, .noise = scenario.receiver_of(sonar.config).noise, .seed = scenario.seed},
-                    ping)
+      PaperReceiver(
+          grid, aperture.config,
+          {.model = scenario.paper, .noise = scenario.receiver_of(aperture.config).noise, .seed = aperture.seed}, ping)
           .receive(workers);
       return;
     }
-    const PingMotion motion =
-        scenario.motion_in_ping ? sonar.motion_while_listening(*order.request, from.vehicle_from_sonar) : PingMotion{};
-    sonar.receivers[worker]->receive(grid, formed, state_.displaced_[first_ + view], from.world_from_sonar, motion,
-                                     thrusters_in(*state_.sources_[view]), workers, ping);
+    const PingMotion motion = scenario.motion_in_ping
+                                  ? shot.sonar->motion_while_listening(*shot.request, from.vehicle_from_sonar)
+                                  : PingMotion{};
+    aperture.receivers[worker]->receive(grid, formed, state_.displaced_[shot.order], from.world_from_sonar, motion,
+                                        thrusters_in(*state_.sources_[view]), workers, ping);
   }
 
  private:
   State& state_;
-  std::span<const PingOrder> orders_;
   std::size_t first_;
 };
 
-void Simulator::State::set_view(std::size_t i, int index, const PingRequest& request) {
-  const SimulatedSonar& of = sonar(index);
-  if (i >= views_.size()) {
-    views_.emplace_back();
+void Simulator::State::add_views(std::size_t i, const PingOrder& order) {
+  const SimulatedSonar& of = sonar(order.sonar);
+  const PingRequest& request = *order.request;
+  if (i >= placements_.size()) {
     placements_.push_back(std::make_unique<Placement>());
-    receptions_.push_back(std::make_unique<Reception>());
     displaced_.emplace_back();
   }
   try {
@@ -116,25 +116,38 @@ void Simulator::State::set_view(std::size_t i, int index, const PingRequest& req
     if (sea) {
       sea->place(position, placement);
     }
-    views_[i] = view_of(of, request, placement);
   } catch (const Error& error) {
     throw Error(fmt::format("ping {} of {}: {}", request.number, of.config.name, error.what()));
+  }
+  for (Aperture& aperture : sonars[order.sonar].apertures) {
+    views_.push_back(view_of(of, aperture, request, *placements_[i]));
+    shots_.push_back({&request, &of, &aperture, i, order.ping});
+    if (views_.size() > receptions_.size()) {
+      receptions_.push_back(std::make_unique<Reception>());
+      parts_.push_back(std::make_unique<Ping>());
+    }
+    if (of.joiner) {
+      shots_.back().ping = parts_[views_.size() - 1].get();
+    }
   }
 }
 
 void Simulator::State::place(int sonar, const PingRequest& request) {
-  set_view(0, sonar, request);
+  views_.clear();
+  shots_.clear();
+  add_views(0, {sonar, &request, nullptr});
   engine->place(*views_[0].placement);
 }
 
-// Sources keep what they need between the rounds of a batch, so each view has its own; a sonar's later batches use them
-// again.
-SourceSet* Simulator::State::sources_of(SimulatedSonar& sonar, std::size_t slot) {
-  while (sonar.sources.size() <= slot) {
+// Sources keep what they need between the rounds of a batch, so each view has its own; later batches of an aperture use
+// them again.
+SourceSet* Simulator::State::sources_of(Aperture& aperture, std::size_t slot) {
+  while (aperture.sources.size() <= slot) {
     const std::optional<SurfaceLabel> water = sea ? std::optional(sea->label()) : std::nullopt;
-    sonar.sources.push_back(std::make_unique<SourceSet>(make_sources({scenario, targets, sonar, senders, water})));
+    aperture.sources.push_back(
+        std::make_unique<SourceSet>(make_sources({scenario, targets, aperture, senders, water})));
   }
-  return sonar.sources[slot].get();
+  return aperture.sources[slot].get();
 }
 
 void Simulator::State::make(std::span<const PingOrder> orders) {
@@ -142,34 +155,40 @@ void Simulator::State::make(std::span<const PingOrder> orders) {
   for (std::size_t start = 0; start < orders.size(); start += kAtOnce) {
     const std::span<const PingOrder> some = orders.subspan(start, std::min(kAtOnce, orders.size() - start));
     std::exception_ptr refused;
+    views_.clear();
+    shots_.clear();
     std::size_t count = 0;
     try {
       for (; count < some.size(); ++count) {
-        set_view(count, some[count].sonar, *some[count].request);
+        add_views(count, some[count]);
       }
     } catch (const Error&) {
       refused = std::current_exception();
     }
-    for (std::size_t first = 0; first < count;) {
-      if (scenario.engine != engine->kind().name) {
-        start_runner();  // A device has failed since, outside of batches.
-      }
-      const std::span<const PingView> left = std::span(views_).subspan(first, count - first);
-      const std::size_t together = runner->capacity(left);
-      if (try_batch(some.subspan(first, together), left.first(together), first)) {
-        first += together;
-      }
-    }
+    make_views();
+    join(some.first(count));
     if (refused) {
       std::rethrow_exception(refused);
     }
   }
 }
 
-bool Simulator::State::try_batch(std::span<const PingOrder> orders, std::span<const PingView> views,
-                                 std::size_t first) {
+void Simulator::State::make_views() {
+  ray_counts = {};
+  for (std::size_t first = 0; first < views_.size();) {
+    if (scenario.engine != engine->kind().name) {
+      start_runner();  // A device has failed since, outside of batches.
+    }
+    const std::size_t together = runner->capacity(std::span(views_).subspan(first));
+    if (try_batch(first, together)) {
+      first += together;
+    }
+  }
+}
+
+bool Simulator::State::try_batch(std::size_t first, std::size_t count) {
   try {
-    make_batch(orders, views, first);
+    make_batch(first, count);
     return true;
   } catch (const DeviceFailure& failure) {
     if (spare == nullptr) {
@@ -182,50 +201,72 @@ bool Simulator::State::try_batch(std::span<const PingOrder> orders, std::span<co
 }
 
 // Sets what engines need that receive pings themselves.
-void Simulator::State::aim_receivers(std::span<const PingOrder> orders, std::size_t first) {
+void Simulator::State::aim_receivers(std::size_t first, std::size_t count) {
   if (!engine->receives()) {
     return;
   }
-  const bool apart = orders.size() >= static_cast<std::size_t>(workers.count());
+  const bool apart = count >= static_cast<std::size_t>(workers.count());
   const auto aim = [&](std::size_t view, int worker) {
-    SimulatedSonar& of = sonars[orders[view].sonar];
-    PingView& from = views_[first + view];
+    const Aperture& of = *shots_[view].aperture;
+    const std::vector<DisplacedInstance>& displaced = displaced_[shots_[view].order];
+    PingView& from = views_[view];
     CalibratedReceiver* const receiver =
         of.receivers.empty() ? nullptr : of.receivers[static_cast<std::size_t>(worker)].get();
     if (receiver != nullptr && receiver->flat() != nullptr && from.layers.ground_truth != GroundTruth::kFull &&
-        displaced_[first + view].size() <= kMostFrames) {
-      receiver->aim(displaced_[first + view], from.world_from_sonar, *receptions_[first + view]);
-      from.reception = receptions_[first + view].get();
+        displaced.size() <= kMostFrames) {
+      receiver->aim(displaced, from.world_from_sonar, *receptions_[view]);
+      from.reception = receptions_[view].get();
     }
   };
   if (apart) {
-    workers.for_each(static_cast<int>(orders.size()),
-                     [&](int view, int worker) { aim(static_cast<std::size_t>(view), worker); });
+    workers.for_each(static_cast<int>(count),
+                     [&](int view, int worker) { aim(first + static_cast<std::size_t>(view), worker); });
     return;
   }
-  for (std::size_t view = 0; view < orders.size(); ++view) {
+  for (std::size_t view = first; view < first + count; ++view) {
     aim(view, 0);
   }
 }
 
-void Simulator::State::make_batch(std::span<const PingOrder> orders, std::span<const PingView> views,
-                                  std::size_t first) {
+void Simulator::State::make_batch(std::size_t first, std::size_t count) {
   const auto threads = static_cast<std::size_t>(workers.count());
+  const std::span<const Shot> shots = std::span(shots_).subspan(first, count);
   sources_.clear();
-  for (std::size_t i = 0; i < orders.size(); ++i) {
-    SimulatedSonar& of = sonars[orders[i].sonar];
-    const auto before =
-        static_cast<std::size_t>(std::ranges::count(orders.first(i), orders[i].sonar, &PingOrder::sonar));
+  for (std::size_t i = 0; i < count; ++i) {
+    Aperture& of = *shots[i].aperture;
+    const auto before = static_cast<std::size_t>(std::ranges::count(shots.first(i), &of, &Shot::aperture));
     sources_.push_back(sources_of(of, before));
-    if (scenario.model == EchoModel::kCalibrated && orders.size() >= threads && of.receivers.size() < threads) {
+    if (scenario.model == EchoModel::kCalibrated && count >= threads && of.receivers.size() < threads) {
       of.add_receivers(scenario, materials_at(of.config.frequency, scenario, scene), threads);
     }
   }
-  aim_receivers(orders, first);
-  Receiver receiver(*this, orders, first);
-  runner->run(views, sources_, receiver);
-  ray_counts = runner->ray_counts(views.size() - 1);
+  aim_receivers(first, count);
+  Receiver receiver(*this, first);
+  runner->run(std::span(views_).subspan(first, count), sources_, receiver);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (shots[i].order == shots_.back().order) {
+      ray_counts += runner->ray_counts(i);
+    }
+  }
   add_times(runner->step_times(), step_times);
+}
+
+void Simulator::State::join(std::span<const PingOrder> orders) {
+  for (std::size_t view = 0; view < shots_.size(); ++view) {
+    const Shot& shot = shots_[view];
+    SideJoiner* const joiner = shot.sonar->joiner ? &*sonars[orders[shot.order].sonar].joiner : nullptr;
+    if (joiner == nullptr) {
+      continue;
+    }
+    Ping& ping = *orders[shot.order].ping;
+    const Ping* const sides[] = {shot.ping, shots_[++view].ping};
+    ping.number = sides[0]->number;
+    ping.time = sides[0]->time;
+    ping.head_angle = 0;
+    ping.world_from_sonar = sides[0]->world_from_sonar;
+    const auto& receivers = shot.aperture->receivers;
+    joiner->join(sides, receivers.empty() ? 0 : receivers.front()->covered_bins(), ping);
+  }
 }
 
 }  // namespace insonify

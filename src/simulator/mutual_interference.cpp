@@ -35,13 +35,14 @@ bool is_top_hat_hit(const SonarConfig& sonar, double elevation) {
 
 }  // namespace
 
-SendingSonar::SendingSonar(const SimulatedSonar& sonar, const ReceiverConfig& receiver)
-    : sonar_(sonar.config),
+SendingSonar::SendingSonar(const SimulatedSonar& sonar, const Aperture& aperture, const ReceiverConfig& receiver)
+    : sonar_(aperture.config),
       vehicle_from_housing_(sonar.vehicle_from_housing),
+      housing_from_aperture_(aperture.housing_from_aperture),
       beams_(sonar_.bearings()),
-      sent_axis_(sonar.plan->sent_axis),
-      sent_across_(sonar.plan->sent_across),
-      transmitter_(sonar.config.transmit_width) {
+      sent_axis_(aperture.plan->sent_axis),
+      sent_across_(aperture.plan->sent_across),
+      transmitter_(sonar_.transmit_width) {
   const PulseSettings pulse = sonar_.transmitted(receiver);
   duration_ = pulse.kind == PulseKind::kNone ? 2 * sonar_.bin_length() / *sonar_.assumed_sound_speed : pulse.duration;
   bandwidth_ = bandwidth_of(sonar_, pulse);
@@ -58,7 +59,8 @@ double SendingSonar::share_within(const SendingSonar& other) const {
 }
 
 double SendingSonar::gain(std::uint64_t ping, const Vec3& direction) const {
-  const Pose vehicle_from_head = vehicle_from_housing_ * housing_from_head(sonar_.head_angle(ping));
+  const Pose vehicle_from_head =
+      vehicle_from_housing_ * housing_from_head(sonar_.head_angle(ping)) * housing_from_aperture_;
   const Vec3 local = vehicle_from_head.orientation.inverse() * direction;
   const double elevation = std::atan2(local.z(), std::hypot(local.x(), local.y()));
   const bool has_pattern = !sent_across_.empty();
@@ -89,7 +91,7 @@ void MutualInterference::ask(const PingView& view, Workers&, RayList& rays) {
   near_.clear();
   const Vec3& sonar = view.world_from_sonar.position;
   for (std::size_t i = 0; i < senders_.size(); ++i) {
-    if (i == own_ || !(senders_[i].share_within(senders_[own_]) > 0)) {
+    if (senders_[i].name() == senders_[own_].name() || !(senders_[i].share_within(senders_[own_]) > 0)) {
       continue;
     }
     const Vec3 there = view.world_from_vehicle * senders_[i].place() - sonar;

@@ -16,13 +16,14 @@
 
 namespace insonify {
 
+struct Aperture;
 struct SimulatedSonar;
 
-/// A sonar as a source of pulses: its schedule, and its directivity.
+/// An aperture of a sonar as a source of pulses: its schedule, and its directivity.
 class SendingSonar {
  public:
-  /// @param receiver  Receiver of the sonar.
-  SendingSonar(const SimulatedSonar& sonar, const ReceiverConfig& receiver);
+  /// @param receiver  Receiver of the aperture.
+  SendingSonar(const SimulatedSonar& sonar, const Aperture& aperture, const ReceiverConfig& receiver);
 
   [[nodiscard]] const std::string& name() const { return sonar_.name; }
   [[nodiscard]] const Vec3& place() const { return vehicle_from_housing_.position; }  ///< Position on the vehicle [m].
@@ -42,7 +43,7 @@ class SendingSonar {
 
  private:
   SonarConfig sonar_;
-  Pose vehicle_from_housing_;
+  Pose vehicle_from_housing_, housing_from_aperture_;
   double duration_ = 0, bandwidth_ = 0;
   BearingGrid beams_;
   PatternAxis sent_axis_;
@@ -57,7 +58,7 @@ class SendingSonar {
 class MutualInterference final : public EchoSource {
  public:
   /// @param senders    All sonars of the scenario.
-  /// @param receiving  Name of the sonar that receives.
+  /// @param receiving  Name of the sonar that receives; it does not receive the pulses of its own other side.
   /// @param has_array  See Interference.
   MutualInterference(std::span<const SendingSonar> senders, std::string_view receiving, bool has_array);
 
@@ -74,7 +75,7 @@ class MutualInterference final : public EchoSource {
   };
 
   std::span<const SendingSonar> senders_;
-  std::size_t own_;  // Index of the receiving sonar.
+  std::size_t own_;  // Index of the receiving sonar, or of its first side.
   bool has_array_;
   std::vector<Sender> near_;  // [sight]
 };

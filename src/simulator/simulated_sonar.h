@@ -1,22 +1,19 @@
-// simulated_sonar.h -- one sonar of a simulator: its plan, and the sources and receivers that pings reuse.
+// simulated_sonar.h -- one sonar of a simulator: its apertures, and where they are.
 
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "echo/batch/source_set.h"
-#include "echo/model/flat_plan.h"
-#include "echo/walks/random_walks.h"
 #include "insonify/ping_request.h"
 #include "insonify/scenario.h"
-#include "receiver/calibrated_receiver.h"
+#include "receiver/ping_motion.h"
+#include "receiver/side_joiner.h"
+#include "simulator/aperture.h"
 
 namespace insonify {
 
-/// Plan and receivers are made from the same SonarConfig and Water, so that they agree.
 struct SimulatedSonar {
   /// @param scenario   Valid; `sonar` need not be one of its sonars.
   /// @param materials  The scene's materials at this sonar's frequency; not kept.
@@ -37,18 +34,10 @@ struct SimulatedSonar {
   /// From transmission to the last echo, by the sound speed that the sonar assumes [s].
   [[nodiscard]] double listening_time() const { return config.shortest_ping_period(*config.assumed_sound_speed); }
 
-  /// Makes receivers for so many threads, where there are fewer. None in the paper model.
-  void add_receivers(const Scenario& scenario, std::span<const Material> materials, std::size_t threads);
-
   SonarConfig config;  ///< With defaults filled in: see Scenario::filled_in().
   Pose vehicle_from_housing;
-  SonarConfig steered;  ///< With the beams' true bearings.
-  BearingCells cells;
-  std::shared_ptr<const FlatPlan> plan;
-  GridLayers layers;
-  std::optional<RandomWalks::Settings> walks;                  ///< Where the scenario has random_walks.
-  std::vector<std::unique_ptr<SourceSet>> sources;             ///< For each view of a batch.
-  std::vector<std::unique_ptr<CalibratedReceiver>> receivers;  ///< For each thread.
+  std::vector<Aperture> apertures;   ///< Those of config; their pings are made together.
+  std::optional<SideJoiner> joiner;  ///< With several: makes one ping of theirs.
 };
 
 /// Pose of the head in its housing, turned about z.

@@ -16,7 +16,9 @@ PingLoad load_of(const Scene& scene, std::span<const SimulatedSonar> sonars, int
   PingLoad load{.triangles = static_cast<double>(scene.triangle_count()), .threads = threads, .pings = pings};
   for (const SimulatedSonar& sonar : sonars) {
     load.beams = std::max(load.beams, sonar.config.beam_count);
-    load.samples += static_cast<double>(sonar.plan->lattice.columns) * sonar.plan->lattice.rows;
+    for (const Aperture& aperture : sonar.apertures) {
+      load.samples += static_cast<double>(aperture.plan->lattice.columns) * aperture.plan->lattice.rows;
+    }
   }
   return load;
 }
@@ -71,10 +73,18 @@ void Simulator::State::start_runner() {
 void Simulator::State::set_senders() {
   senders.clear();
   for (std::size_t i = 0; scenario.mutual_interference && i < sonars.size(); ++i) {
-    senders.emplace_back(sonars[i], scenario.receiver_of(sonars[i].config));
+    for (const Aperture& aperture : sonars[i].apertures) {
+      senders.emplace_back(sonars[i], aperture, scenario.receiver_of(aperture.config));
+    }
   }
+  forget_sources();  // They refer to the senders.
+}
+
+void Simulator::State::forget_sources() {
   for (SimulatedSonar& sonar : sonars) {
-    sonar.sources.clear();  // They refer to the senders.
+    for (Aperture& aperture : sonar.apertures) {
+      aperture.sources.clear();
+    }
   }
 }
 
@@ -105,9 +115,7 @@ void Simulator::State::load_scene() {
     const WantedTargets wanted{.mirrors = !scenario.points.empty(), .corners = corners};
     targets = find_targets(scene, water, wanted, *engine, workers);
   }
-  for (SimulatedSonar& sonar : sonars) {
-    sonar.sources.clear();
-  }
+  forget_sources();
   scene_changed = false;
 }
 

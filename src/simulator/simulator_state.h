@@ -35,6 +35,9 @@ struct Simulator::State {
   /// Fills `senders` with the present sonars.
   void set_senders();
 
+  /// Has the next batch make all sources anew.
+  void forget_sources();
+
   /// Passes the scene to the engine again if it has changed, and finds its targets.
   void load_scene();
 
@@ -74,23 +77,40 @@ struct Simulator::State {
   /// Makes the runner of batches for the present engine.
   void start_runner();
 
-  // Sets views_[i], and what belongs to it.
-  // @throws Error for an invalid request.
-  void set_view(std::size_t i, int sonar, const PingRequest& request);
+  // What a view is made for.
+  struct Shot {
+    const PingRequest* request;
+    const SimulatedSonar* sonar;
+    Aperture* aperture;
+    std::size_t order;  // Index in placements_ and displaced_.
+    Ping* ping;         // Receives it.
+  };
 
-  // @param first  The first of the views in `views_`.
-  void make_batch(std::span<const PingOrder> orders, std::span<const PingView> views, std::size_t first);
+  // Adds the views of an order to views_ and shots_: one for each aperture of its sonar.
+  // @param i  Index of the order.
+  // @throws Error for an invalid request; then none is added.
+  void add_views(std::size_t i, const PingOrder& order);
 
-  void aim_receivers(std::span<const PingOrder> orders, std::size_t first);
+  // Makes the pings of all views.
+  void make_views();
+
+  // @param first, count  The views in `views_`.
+  void make_batch(std::size_t first, std::size_t count);
+  void aim_receivers(std::size_t first, std::size_t count);
 
   // False if the device of `spare` has failed, with another engine in its place.
-  bool try_batch(std::span<const PingOrder> orders, std::span<const PingView> views, std::size_t first);
-  [[nodiscard]] SourceSet* sources_of(SimulatedSonar& sonar, std::size_t slot);
+  bool try_batch(std::size_t first, std::size_t count);
+  [[nodiscard]] SourceSet* sources_of(Aperture& aperture, std::size_t slot);
+
+  // Makes the pings of sonars with several apertures of those of the apertures.
+  void join(std::span<const PingOrder> orders);
 
   // Views of the pings that are being made, reused from call to call.
   std::vector<PingView> views_;
-  std::vector<std::unique_ptr<Placement>> placements_;
-  std::vector<std::vector<DisplacedInstance>> displaced_;
+  std::vector<Shot> shots_;                                // [view]
+  std::vector<std::unique_ptr<Ping>> parts_;               // Pings of apertures of sonars that have several.
+  std::vector<std::unique_ptr<Placement>> placements_;     // [order]
+  std::vector<std::vector<DisplacedInstance>> displaced_;  // [order]
   std::vector<SourceSet*> sources_;
   std::vector<std::unique_ptr<Reception>> receptions_;
 };

@@ -13,7 +13,11 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
   constexpr double kPi = std::numbers::pi;
   visit(Field{"name", "", {}, "Name in messages and file names."}, self.name);
   visit(Field{"model", "", {}, "Make and model, for titles."}, self.model);
-  visit(Field{"type", "", {}, "fls (the whole fan at once) or msis (one beam, turned by a step each ping)."},
+  visit(Field{"type",
+              "",
+              {},
+              "fls (the whole fan at once), msis (one beam, turned by a step each ping) or sss (side-scan: two beams, "
+              "to port and starboard)."},
         self.type);
   visit(Field{"frequency", "Hz", above_to(0, 1e8), "Carrier frequency."}, self.frequency);
   visit(Field{"source_level_db", "dB", from_to(100, 260), "Source level re 1 uPa at 1 m, on the acoustic axis.",
@@ -45,7 +49,9 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
           "pulse_window", "", {}, "Window over the chirp's band; lowers the side lobes in range.", ActsIn::kCalibrated},
       self.pulse_window);
   visit(Field{"beam_count", "", from_to(1, 4096), "Beams across the azimuth aperture."}, self.beam_count);
-  visit(Field{"azimuth_aperture", "rad", above_to(0, 2 * kPi), "Full width of the fan."}, self.azimuth_aperture);
+  visit(Field{"azimuth_aperture", "rad", above_to(0, 2 * kPi),
+              "Full width of the fan, or of each side's beam along the track (sss)."},
+        self.azimuth_aperture);
   visit(Field{"beam_azimuths", "rad", from_to(-kPi, kPi),
               "Centres of the beams, falling from port to starboard; they determine beam_count and azimuth_aperture. "
               "Evenly spaced in angle when absent."},
@@ -97,7 +103,7 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
               "",
               {},
               "Whether the array of a sonar with one beam also transmits, so that azimuth_pattern applies both ways; "
-              "always so for msis (calibrated model).",
+              "always so for msis and sss (calibrated model).",
               ActsIn::kCalibrated},
         self.two_way_array);
   visit(Field{"transmit_width", "rad", above_to(0, kWidestElement),
@@ -186,6 +192,9 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
               "Width of the scanned sector; at 360 the head keeps turning, below that it sweeps back and forth."},
         self.head.sector_width);
   visit(Field{"mounting", "", {}, "horizontal (a plan view) or vertical (a slice) scanning head."}, self.head.mounting);
+  visit(Field{"depression", "rad", from_to(0, radians_from_degrees(90)),
+              "Angle of both sides' acoustic axes below the horizontal of the housing (sss)."},
+        self.depression);
   visit(
       Field{"position", "m", coordinate(), "Position on the vehicle, or in the world without a trajectory: [x, y, z]."},
       self.position);

@@ -65,14 +65,19 @@ void fit_to_beam_azimuths(const YamlValue& value, const std::string& object, Son
   }
 }
 
-// Keys of the scanning head have no effect on other sonars.
-void refuse_head_keys(const YamlValue& value, const std::string& object, const SonarConfig& sonar) {
-  if (sonar.scans()) {
-    return;
-  }
-  for (const char* key : {"step_deg", "sector_center_deg", "sector_width_deg", "mounting"}) {
-    if (const YamlValue* given = value.find(key)) {
-      throw Error(object, key, " belongs to a scanning sonar; this one's type is fls").at(given->place);
+// Keys of a scanning head, or of a side-scan sonar, have no effect on others.
+void refuse_keys_of_other_types(const YamlValue& value, const std::string& object, const SonarConfig& sonar) {
+  for (const FieldEntry& field : table_of<SonarConfig>().fields) {
+    const std::optional<SonarType> only = SonarConfig::only_type(field.name);
+    if (!only || *only == sonar.type) {
+      continue;
+    }
+    if (const YamlValue* given = value.find(file_name_of(field))) {
+      const std::string_view owner =
+          *only == SonarType::kSideScan ? "a side-scan sonar (type: sss)" : "a scanning sonar";
+      throw Error(object, file_name_of(field),
+                  fmt::format(" belongs to {}; this one's type is {}", owner, word_of(sonar.type)))
+          .at(given->place);
     }
   }
 }
@@ -107,7 +112,10 @@ SonarConfig read_sonar(const YamlValue& value, const std::string& object, const 
   }
   read_parts(value, object, sonar, places);
   fit_to_beam_azimuths(value, object, sonar);
-  refuse_head_keys(value, object, sonar);
+  if (sonar.is_side_scan() && value.find("beam_count") == nullptr) {
+    sonar.beam_count = sonar.aperture_count();
+  }
+  refuse_keys_of_other_types(value, object, sonar);
   if (preset) {
     fit_to_range(value, *preset, scenario, sonar);
     for (const Preset::Excess& excess : preset->exceeded_by(sonar)) {

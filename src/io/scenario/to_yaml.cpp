@@ -90,8 +90,8 @@ bool is_refused(ConstSettings settings, const Field& field) {
   }
   const auto& sonar = *static_cast<const SonarConfig*>(settings.config);
   const std::string_view name = field.name;
-  const bool head = name == "step" || name == "sector_center" || name == "sector_width" || name == "mounting";
-  return (head && !sonar.scans()) || (name == "azimuth_aperture" && sonar.beam_azimuths.size() > 1);
+  return SonarConfig::only_type(name).value_or(sonar.type) != sonar.type ||
+         (name == "azimuth_aperture" && sonar.beam_azimuths.size() > 1);
 }
 
 YamlValue written_part(ActsIn idle, const PartEntry& part, const void* config);
