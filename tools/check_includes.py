@@ -11,7 +11,7 @@ import pathlib
 import re
 import sys
 
-CHAIN = ["base", "gpu", "acoustics", "scene", "sonar", "echo", "receiver", "image", "simulator"]
+CHAIN = ["base", "gpu", "acoustics", "scene", "sonar", "echo", "receiver", "survey", "image", "simulator"]
 
 # Modules at the edge: which internal headers they may include, and that nothing in the chain may include them. Public
 # headers are open to all of them.

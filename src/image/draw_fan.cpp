@@ -9,7 +9,7 @@
 #include "image/fan_geometry.h"
 #include "image/fan_paint.h"
 #include "image/number_paint.h"
-#include "image/ping_table.h"
+#include "receiver/ping_table.h"
 
 namespace insonify {
 namespace {

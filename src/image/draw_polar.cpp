@@ -8,9 +8,9 @@
 #include "image/colours.h"
 #include "image/fan_geometry.h"
 #include "image/number_paint.h"
-#include "image/ping_table.h"
 #include "image/plot.h"
 #include "image/scales.h"
+#include "receiver/ping_table.h"
 
 namespace insonify {
 namespace {

@@ -9,12 +9,12 @@
 
 #include "image/fan_paint.h"
 #include "image/number_paint.h"
-#include "image/ping_table.h"
 #include "image/plot.h"
 #include "image/scales.h"
 #include "image/scan_slots.h"
 #include "insonify/error.h"
 #include "insonify/printable.h"
+#include "receiver/ping_table.h"
 
 namespace insonify {
 namespace {

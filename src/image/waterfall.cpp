@@ -8,11 +8,11 @@
 #include <cmath>
 
 #include "image/colours.h"
-#include "image/ping_table.h"
 #include "image/plot.h"
 #include "image/scales.h"
 #include "insonify/error.h"
 #include "insonify/printable.h"
+#include "receiver/ping_table.h"
 
 namespace insonify {
 namespace {

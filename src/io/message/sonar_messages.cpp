@@ -9,7 +9,6 @@
 #include <limits>
 #include <utility>
 
-#include "image/ping_table.h"
 #include "insonify/files.h"
 #include "insonify/messages.h"
 #include "insonify/printable.h"
@@ -19,6 +18,7 @@
 #include "io/message/message_display.h"
 #include "io/message/ros_name.h"
 #include "io/message/sonar_description.h"
+#include "receiver/ping_table.h"
 
 namespace insonify {
 namespace {

@@ -1,6 +1,6 @@
 // ping_table.cpp -- checks that a ping has the shape of its sonar, and replaces NaN intensities by 0.
 
-#include "image/ping_table.h"
+#include "receiver/ping_table.h"
 
 #include <fmt/format.h>
 
