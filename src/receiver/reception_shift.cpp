@@ -10,6 +10,7 @@ namespace {
 
 // Least cosine of the fan's elevation that a bearing is taken across: straight up there is none.
 constexpr double kLeastLevel = 0.1;
+constexpr double kPieceTurn = 0.02;  // [rad]: sines are linear within, to 5e-5.
 constexpr double kMostUneven = 1.5;  // Ratio of the widths of a head's cells between which energy moves.
 
 }  // namespace
@@ -55,28 +56,56 @@ void ReceptionShift::prepare(const PingMotion& motion, Workers& workers) {
   workers.for_each(cells_.count(), [&](int cell, int) { prepare_cell(cell); });
 }
 
-// For each bin of a cell: inverts the equations of the class comment, from reception back to transmission. The search
-// for the source cell continues from the one before, since azimuths change little from bin to bin.
+// For each bin of a cell: inverts the equations of the class comment, from reception back to transmission. Azimuth and
+// speed of approach are computed at the ends of pieces in which the sonar turns little, and are linear within.
 void ReceptionShift::prepare_cell(int cell) {
-  std::int32_t* const sources = &source_[static_cast<std::size_t>(cell) * bins_];
-  int from = cell;
-  for (int bin = 0; bin < bins_; ++bin) {
-    const double received = range_scale_ * range_at(bin + 0.5);
-    const double time = 2 * received / sound_speed_;
+  struct End {
+    double azimuth, speed;
+  };
+  const double per_bin = 2 * range_scale_ * bin_length_ / sound_speed_;  // Time from bin to bin [s].
+  const auto end_at = [&](double bin) {
+    const double time = 2 * range_scale_ * range_at(bin + 0.5) / sound_speed_;
     const double shown = cells_.centres[cell] + motion_.turn_rate * time;
     const double azimuth = shown + parallax(shown);
-    from = cells_.last_before(azimuth, from);
-    // Cells move whole. The energy of a wide outer cell of a scanning head does not fit a narrow one, nor the other way
-    // round: of the far side lobes, what crosses that border is lost.
-    const double ratio = cells_.width(cell) / cells_.width(from);
-    const bool fits = !uneven_ || (ratio < kMostUneven && ratio > 1 / kMostUneven);
-    const bool inside = cells_.has(from, azimuth) && fits;
-    const double speed = approach(azimuth);
-    const double range = (received + bias_ * speed) / (1 - speed / sound_speed_);
-    const double position = (range / range_scale_ - min_range_) / bin_length_;
-    const bool within = position >= 0 && position < bins_;
-    sources[bin] = inside && within ? from * bins_ + static_cast<int>(position) : -1;
+    return End{azimuth, approach(azimuth)};
+  };
+  const double turn = std::abs(motion_.turn_rate) * per_bin * bins_;
+  const int pieces = std::clamp(static_cast<int>(std::ceil(turn / kPieceTurn)), 1, bins_);
+  End first = end_at(0);
+  int from = cell;
+  for (int piece = 0; piece < pieces; ++piece) {
+    const int begin = static_cast<int>(std::int64_t{bins_} * piece / pieces);
+    const int end = static_cast<int>(std::int64_t{bins_} * (piece + 1) / pieces);
+    const End last = end_at(end);
+    const double share = 1.0 / (end - begin);
+    for (int bin = begin; bin < end; ++bin) {
+      const double part = share * (bin - begin);
+      from = set_source(cell, bin, first.azimuth + part * (last.azimuth - first.azimuth),
+                        first.speed + part * (last.speed - first.speed), from);
+    }
+    first = last;
   }
+}
+
+// Sets the source of one bin. The search for the source cell continues from that of the bin before, since azimuths
+// change little from bin to bin.
+// @return  The source cell.
+inline int ReceptionShift::set_source(int cell, int bin, double azimuth, double speed, int from) {
+  from = cells_.last_before(azimuth, from);
+  // Cells move whole. The energy of a wide outer cell of a scanning head does not fit a narrow one, nor the other way
+  // round: of the far side lobes, what crosses that border is lost.
+  const auto fits = [&] {
+    const double ratio = cells_.width(cell) / cells_.width(from);
+    return ratio < kMostUneven && ratio > 1 / kMostUneven;
+  };
+  const bool inside = cells_.has(from, azimuth) && (!uneven_ || fits());
+  const double received = range_scale_ * range_at(bin + 0.5);
+  const double range = (received + bias_ * speed) / (1 - speed / sound_speed_);
+  const double position = (range / range_scale_ - min_range_) / bin_length_;
+  const bool within = position >= 0 && position < bins_;
+  source_[static_cast<std::size_t>(cell) * bins_ + bin] =
+      inside && within ? from * bins_ + static_cast<int>(position) : -1;
+  return from;
 }
 
 DiscreteEcho ReceptionShift::moved(DiscreteEcho echo) const {

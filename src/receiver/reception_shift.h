@@ -52,6 +52,7 @@ class ReceptionShift {
   [[nodiscard]] double approach(double azimuth) const;
   [[nodiscard]] double parallax(double azimuth) const;
   void prepare_cell(int cell);
+  int set_source(int cell, int bin, double azimuth, double speed, int from);
 
   [[nodiscard]] double range_at(double bin) const {  // Reported range [m].
     return min_range_ + bin * bin_length_;

@@ -59,12 +59,14 @@ Housing::Cut Housing::cut(const Ray& ray) const {
 
 InsonifiedSector::InsonifiedSector(const SonarConfig& sonar, const Pose& world_from_sonar)
     : world_from_sonar_(world_from_sonar),
-      sonar_from_world_(world_from_sonar.inverse()),
       low_elevation_(sonar.elevation_center - sonar.elevation_aperture / 2),
       high_elevation_(sonar.elevation_center + sonar.elevation_aperture / 2),
       min_range_(sonar.min_range),
       max_range_(sonar.max_range) {
-  const BearingGrid beams = sonar.bearings();
+  for (int i = 0; i < sonar.aperture_count(); ++i) {
+    world_from_apertures_.push_back(world_from_sonar * sonar.housing_from_aperture(i));
+  }
+  const BearingGrid beams = sonar.aperture(0).bearings();
   low_azimuth_ = beams.starboard.back();
   high_azimuth_ = beams.port.front();
   if (sonar.scans()) {
@@ -78,12 +80,29 @@ InsonifiedSector::InsonifiedSector(const SonarConfig& sonar, const Pose& world_f
 }
 
 Vec3 InsonifiedSector::point_at(double range, double across, double along) const {
-  return world_from_sonar_ * point_from_spherical({range, low_azimuth_ + across * (high_azimuth_ - low_azimuth_),
-                                                   low_elevation_ + along * (high_elevation_ - low_elevation_)});
+  const std::size_t count = world_from_apertures_.size();
+  const double place = across * static_cast<double>(count);
+  const std::size_t from_starboard = std::min(count - 1, static_cast<std::size_t>(place));
+  return point_of(count - 1 - from_starboard, range, place - static_cast<double>(from_starboard), along);
+}
+
+Vec3 InsonifiedSector::point_of(std::size_t aperture, double range, double across, double along) const {
+  return world_from_apertures_[aperture] *
+         point_from_spherical({range, low_azimuth_ + across * (high_azimuth_ - low_azimuth_),
+                               low_elevation_ + along * (high_elevation_ - low_elevation_)});
 }
 
 double InsonifiedSector::inside_by(const Vec3& point) const {
-  const Spherical place = spherical_from_point(sonar_from_world_ * point);
+  double inside = inside_of(0, point);
+  for (std::size_t aperture = 1; aperture < world_from_apertures_.size(); ++aperture) {
+    inside = std::max(inside, inside_of(aperture, point));
+  }
+  return inside;
+}
+
+double InsonifiedSector::inside_of(std::size_t aperture, const Vec3& point) const {
+  const Pose& frame = world_from_apertures_[aperture];
+  const Spherical place = spherical_from_point(frame.orientation.conjugate() * (point - frame.position));
   if (place.range < min_range_ || place.range > max_range_) {
     return -1;
   }
@@ -105,16 +124,21 @@ std::vector<std::pair<Vec3, Vec3>> InsonifiedSector::edges() const {
     }
   };
   const int around = std::max(8, static_cast<int>(std::ceil((high_azimuth_ - low_azimuth_) / kPieceAngle)));
-  for (const double along : {0.0, 1.0}) {
-    add_line(around, [&](double share) { return point_at(max_range_, share, along); });
-    if (!full_circle_) {
-      add_line(kPiecesAlong, [&](double share) { return point_at(share * max_range_, 0, along); });
-      add_line(kPiecesAlong, [&](double share) { return point_at(share * max_range_, 1, along); });
+  for (std::size_t aperture = 0; aperture < world_from_apertures_.size(); ++aperture) {
+    const auto point = [&](double range, double across, double along) {
+      return point_of(aperture, range, across, along);
+    };
+    for (const double along : {0.0, 1.0}) {
+      add_line(around, [&](double share) { return point(max_range_, share, along); });
+      if (!full_circle_) {
+        add_line(kPiecesAlong, [&](double share) { return point(share * max_range_, 0, along); });
+        add_line(kPiecesAlong, [&](double share) { return point(share * max_range_, 1, along); });
+      }
     }
-  }
-  if (!full_circle_) {
-    for (const double across : {0.0, 1.0}) {
-      add_line(16, [&](double share) { return point_at(max_range_, across, share); });
+    if (!full_circle_) {
+      for (const double across : {0.0, 1.0}) {
+        add_line(16, [&](double share) { return point(max_range_, across, share); });
+      }
     }
   }
   return pieces;

@@ -30,7 +30,7 @@ class Housing {
 };
 
 /// Limits in azimuth, elevation and range, in the frame of the housing. A scanning sonar's sector is all that its head
-/// sweeps.
+/// sweeps. That of a side-scan sonar is two, each in the frame of its side.
 class InsonifiedSector {
  public:
   InsonifiedSector(const SonarConfig& sonar, const Pose& world_from_sonar);
@@ -44,7 +44,8 @@ class InsonifiedSector {
   [[nodiscard]] double low_elevation() const { return low_elevation_; }
   [[nodiscard]] double high_elevation() const { return high_elevation_; }
 
-  /// World position at a range [m] and at fractions of both apertures: 0 is starboard or lower, 1 port or upper.
+  /// World position at a range [m] and at fractions of both apertures: 0 is starboard or lower, 1 port or upper. Across
+  /// a side-scan sonar, the lower half of the fractions are those of its starboard side.
   [[nodiscard]] Vec3 point_at(double range, double across, double along) const;
 
   /// Angle from a point inside the sector to the nearest azimuth or elevation limit [rad]; negative for points outside
@@ -55,7 +56,11 @@ class InsonifiedSector {
   [[nodiscard]] std::vector<std::pair<Vec3, Vec3>> edges() const;
 
  private:
-  Pose world_from_sonar_, sonar_from_world_;
+  [[nodiscard]] Vec3 point_of(std::size_t aperture, double range, double across, double along) const;
+  [[nodiscard]] double inside_of(std::size_t aperture, const Vec3& point) const;
+
+  Pose world_from_sonar_;
+  std::vector<Pose> world_from_apertures_;
   double low_azimuth_, high_azimuth_, low_elevation_, high_elevation_;
   double min_range_, max_range_;
   bool full_circle_;

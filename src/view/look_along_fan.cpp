@@ -1,5 +1,7 @@
 // look_along_fan.cpp -- images of distance and intensity, from one ray per direction of a fan.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,6 +18,9 @@ Channels look_along_fan(Engine& engine, const SonarConfig& sonar, const Water& w
                         int columns, int rows) {
   check_field("channels", {"columns", "", from_to(1, 8192), ""}, columns);
   check_field("channels", {"rows", "", from_to(0, 8192), ""}, rows);
+  if (sonar.is_side_scan()) {
+    throw Error(fmt::format("{}: channels show what lies in a fan; this one's type is sss", sonar.name));
+  }
   const InsonifiedSector sector(sonar, world_from_sonar);
   Channels channels;
   channels.columns = columns;

@@ -24,13 +24,15 @@ using testing::Not;
 constexpr double kSheetTolerance = 1e-9;
 
 TEST(PresetTest, EveryInstrumentOfTheListIsThere) {
-  EXPECT_THAT(preset_names(),
-              ElementsAre("blueprint-oculus-m1200d", "blueprint-oculus-m3000d", "blueprint-oculus-m370s",
-                          "blueprint-oculus-m750d", "bluerobotics-ping360", "imagenex-881a", "kongsberg-m3",
-                          "soundmetrics-aris-explorer-1800", "soundmetrics-aris-explorer-3000", "soundmetrics-didson",
-                          "teledyne-blueview-m900-2250", "teledyne-blueview-p900-130", "teledyne-blueview-p900-45",
-                          "tritech-gemini-1200ik", "tritech-gemini-720i", "tritech-gemini-720im",
-                          "tritech-gemini-720is", "tritech-micron-dst", "tritech-super-seaking"));
+  EXPECT_THAT(
+      preset_names(),
+      ElementsAre("blueprint-oculus-m1200d", "blueprint-oculus-m3000d", "blueprint-oculus-m370s",
+                  "blueprint-oculus-m750d", "bluerobotics-ping360", "deepvision-de680", "edgetech-4125",
+                  "edgetech-4200", "imagenex-881a", "klein-3500", "kongsberg-m3", "marinesonic-arc-scout",
+                  "soundmetrics-aris-explorer-1800", "soundmetrics-aris-explorer-3000", "soundmetrics-didson",
+                  "starfish-452f", "starfish-990f", "teledyne-blueview-m900-2250", "teledyne-blueview-p900-130",
+                  "teledyne-blueview-p900-45", "tritech-gemini-1200ik", "tritech-gemini-720i", "tritech-gemini-720im",
+                  "tritech-gemini-720is", "tritech-micron-dst", "tritech-super-seaking"));
 }
 
 TEST(PresetTest, EveryPresetLoadsInEveryMode) {
@@ -124,6 +126,17 @@ constexpr Sheet kSheets[] = {
     {"imagenex-881a", "310khz", 310e3, 1, 4, 40, .15, 200},
     {"imagenex-881a", "675khz", 675e3, 1, 1.8, 20, .15, 200},
     {"imagenex-881a", "1000khz", 1000e3, 1, .9, 10, .15, 200},
+    {"edgetech-4125", "400khz", 400e3, 2, .46, 50, .5, 150},
+    {"edgetech-4125", "900khz", 900e3, 2, .28, 50, .5, 75},
+    {"edgetech-4125", "600khz", 600e3, 2, .33, 50, .5, 120},
+    {"edgetech-4125", "1600khz", 1600e3, 2, .2, 50, .5, 35},
+    {"edgetech-4200", "300khz", 300e3, 2, .28, 50, .5, 230},
+    {"klein-3500", "455khz", 455e3, 2, .34, 45, .5, 150},
+    {"klein-3500", "900khz", 900e3, 2, .34, 45, .5, 75},
+    {"starfish-452f", "", 450e3, 2, .8, 60, .5, 100},
+    {"starfish-990f", "", 1000e3, 2, .3, 60, .5, 35},
+    {"deepvision-de680", "", 680e3, 2, .7, 60, .5, 100},
+    {"marinesonic-arc-scout", "900khz", 900e3, 2, .4, 50, .5, 75},
 };
 
 class SheetTest : public testing::TestWithParam<Sheet> {};
@@ -137,7 +150,9 @@ TEST_P(SheetTest, PresetHasItsNumbers) {
   EXPECT_NEAR(degrees_from_radians(sonar.elevation_aperture), sheet.elevation, kSheetTolerance);
   EXPECT_NEAR(sonar.min_range, sheet.near, kSheetTolerance);
   EXPECT_NEAR(sonar.max_range, sheet.far, kSheetTolerance);
-  EXPECT_EQ(sonar.type, sheet.beams == 1 ? SonarType::kMechanicallyScanned : SonarType::kForwardLooking);
+  EXPECT_EQ(sonar.type, sheet.beams == 1   ? SonarType::kMechanicallyScanned
+                        : sheet.beams == 2 ? SonarType::kSideScan
+                                           : SonarType::kForwardLooking);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SheetTest, testing::ValuesIn(kSheets), [](const auto& sheet) {

@@ -80,6 +80,32 @@ TEST(InsonifiedSectorTest, OfAScanningSonarIsAllThatItSweeps) {
   }
 }
 
+// Beams of 1 x 50 degrees, 30 degrees down to either side.
+TEST(InsonifiedSectorTest, OfASideScanSonarLooksAbeam) {
+  SonarConfig sonar;
+  sonar.type = SonarType::kSideScan;
+  sonar.beam_count = 2;
+  sonar.azimuth_aperture = radians_from_degrees(1);
+  sonar.elevation_aperture = radians_from_degrees(50);
+  sonar.depression = radians_from_degrees(30);
+  const InsonifiedSector sector(sonar, {});
+  const auto inside_by = [&](double azimuth_deg, double elevation_deg) {
+    return degrees_from_radians(sector.inside_by(
+        point_from_spherical({5, radians_from_degrees(azimuth_deg), radians_from_degrees(elevation_deg)})));
+  };
+  for (const double side : {90.0, -90.0}) {
+    EXPECT_NEAR(inside_by(side, -30), 0.5, 1e-6);
+    EXPECT_GT(inside_by(side, -54), 0);
+    EXPECT_LT(inside_by(side, -56), 0);
+    EXPECT_GT(inside_by(side, -6), 0);
+    EXPECT_LT(inside_by(side, -4), 0);
+    EXPECT_LT(inside_by(side + 1, -30), 0);
+  }
+  EXPECT_LT(inside_by(0, -30), 0);
+  EXPECT_LT(sector.point_at(10, 0.25, 0.5).y(), -8);
+  EXPECT_GT(sector.point_at(10, 0.75, 0.5).y(), 8);
+}
+
 // A cylinder of radius 0.5 along x, its front at the origin and 1.4 long.
 TEST(HousingTest, RaysMeetItsFrontItsBackAndItsSide) {
   const Housing housing(SonarConfig{}, {}, 0.5);

@@ -12,10 +12,9 @@ namespace {
 
 Row table_row(const Preset& preset, const std::string& mode, bool first) {
   const SonarConfig& sonar = preset.sonar;
-  const bool scans = sonar.scans();
   return {first ? preset.name : "",
           mode + (mode == preset.default_mode && preset.modes.size() > 1 ? " *" : ""),
-          scans ? "msis" : "fls",
+          std::string(word_of(sonar.type)),
           fmt::format("{:.10g}", sonar.frequency / 1000),
           fmt::to_string(sonar.beam_count),
           fmt::format("{:.4g} x {:.4g}", degrees_from_radians(sonar.azimuth_aperture),
@@ -36,7 +35,8 @@ int list_all() {
     }
   }
   print_table(rows);
-  say("\n* mode when none is named. msis: one beam, turned; fls: the whole fan at once.\n"
+  say("\n* mode when none is named. fls: the whole fan at once; msis: one beam, turned; sss: side-scan, beams to "
+      "port\nand starboard, as wide along the track as degrees says.\n"
       "insonify sonars PRESET shows the source of each number.\n");
   return kDone;
 }

@@ -15,7 +15,15 @@ namespace insonify {
 namespace {
 
 std::string_view name_of(Product product) {
-  return product == Product::kLine ? "scanning (type: msis)" : "forward-looking (type: fls)";
+  switch (product) {
+    case Product::kLine:
+      return "scanning (type: msis)";
+    case Product::kWaterfall:
+      return "side-scan (type: sss)";
+    case Product::kImage:
+      break;
+  }
+  return "forward-looking (type: fls)";
 }
 
 std::string names_in(const Scenario& scenario) {

@@ -122,31 +122,57 @@ void EchoGrid::keep_spare_surfaces() {
   }
 }
 
-void EchoGrid::take_cell(const EchoGrid& other, std::size_t from, int beam, int bin) {
-  const std::size_t to = start(1, beam) + bin;
+// Copies neighbouring bins of one beam.
+void EchoGrid::take_run(const EchoGrid& other, std::size_t from, int beam, BinRange bins) {
+  const auto count = static_cast<std::size_t>(bins.last - bins.first);
+  (void)to_fill(1, beam, bins);
+  const std::size_t to = start(1, beam) + bins.first;
+  const auto copy = [&](const auto& source, auto& target) { std::copy_n(&source[from], count, &target[to]); };
   for (int order = 1; order <= order_count_; ++order) {
     const std::size_t first = start(order, 0);
-    energy_[first + to] = other.energy_[first + from];
-    weight_[first + to] = other.weight_[first + from];
+    std::copy_n(&other.energy_[first + from], count, &energy_[first + to]);
+    std::copy_n(&other.weight_[first + from], count, &weight_[first + to]);
   }
-  if (labelled_) {
-    set_strongest(to, other.strongest(from));
-    further_[to] = 0;
-    const std::vector<FurtherSurface>& surfaces = other.further_surfaces_[from / length()];
-    const bool echoed = other.surface_[from] != kNoSurface;
-    for (std::uint32_t next = echoed ? other.further_[from] : 0; next != 0; next = surfaces[next - 1].next) {
-      further_surfaces_[beam].push_back({surfaces[next - 1].echo, further_[to]});
-      further_[to] = static_cast<std::uint32_t>(further_surfaces_[beam].size());
+  if (!labelled_) {
+    return;
+  }
+  copy(other.surface_, surface_);
+  copy(other.label_energy_, label_energy_);
+  copy(other.elevation_moment_, elevation_moment_);
+  if (!elevation_square_.empty()) {
+    copy(other.elevation_square_, elevation_square_);
+  }
+  std::fill_n(&further_[to], count, 0U);
+  const std::vector<FurtherSurface>& surfaces = other.further_surfaces_[from / length()];
+  for (std::size_t i = 0; i < count && !surfaces.empty(); ++i) {
+    const bool echoed = other.surface_[from + i] != kNoSurface;
+    for (std::uint32_t next = echoed ? other.further_[from + i] : 0; next != 0; next = surfaces[next - 1].next) {
+      further_surfaces_[beam].push_back({surfaces[next - 1].echo, further_[to + i]});
+      further_[to + i] = static_cast<std::uint32_t>(further_surfaces_[beam].size());
     }
   }
 }
 
 void EchoGrid::take_cells(const EchoGrid& other, int beam, std::span<const std::int32_t> sources) {
   clear(beam, beam + 1);
-  for (int bin = 0; bin < static_cast<int>(sources.size()); ++bin) {
-    if (sources[bin] >= 0 && other.filled(sources[bin] / bin_count_).has(sources[bin] % bin_count_)) {
-      (void)to_fill(1, beam, {bin, bin + 1});
-      take_cell(other, static_cast<std::size_t>(sources[bin]), beam, bin);
+  const int bins = static_cast<int>(sources.size());
+  for (int first = 0, last = 0; first < bins; first = last) {
+    const std::int32_t source = sources[first];
+    const int source_beam = source / bin_count_, source_bin = source % bin_count_;
+    last = first + 1;
+    while (source >= 0 && last < bins && sources[last] == source + (last - first) &&
+           source_bin + (last - first) < bin_count_) {
+      ++last;
+    }
+    if (source < 0) {
+      continue;
+    }
+    // Those of the run that the other grid has filled.
+    const BinRange filled = other.filled(source_beam);
+    const int skipped = std::max(filled.first - source_bin, 0);
+    const BinRange run{first + skipped, std::min(last, first + filled.last - source_bin)};
+    if (run.first < run.last) {
+      take_run(other, other.start(1, source_beam) + source_bin + skipped, beam, run);
     }
   }
   met_before_[beam] = other.met_before_[beam];

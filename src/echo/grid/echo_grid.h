@@ -175,7 +175,7 @@ class EchoGrid {
   void fill_more(int beam, BinRange bins);
   void add_surface(int beam, std::size_t cell, const SurfaceEcho& echo);
   void set_up(int beam, BinRange bins);
-  void take_cell(const EchoGrid& other, std::size_t from, int beam, int bin);
+  void take_run(const EchoGrid& other, std::size_t from, int beam, BinRange bins);
   [[nodiscard]] SurfaceEcho strongest(std::size_t cell) const {
     return {surface_[cell], label_energy_[cell], elevation_moment_[cell],
             elevation_square_.empty() ? 0.0F : elevation_square_[cell]};

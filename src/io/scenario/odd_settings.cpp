@@ -71,7 +71,7 @@ constexpr std::array<Condition, 16> kOfReceiver = {
       "a pattern is taylor or dolph_chebyshev"}}};
 // A lens and a head that turns do not steer by delays, and a line array does not reach beyond 90 degrees.
 bool steers_by_delays(const Received& with) {
-  return !with.sonar.scans() && with.sonar.azimuth_aperture <= std::numbers::pi;
+  return with.sonar.type == SonarType::kForwardLooking && with.sonar.azimuth_aperture <= std::numbers::pi;
 }
 constexpr std::array<Condition, 21> kOfSonar = {
     {{"bits", [](const Received& r) { return r.receiver.counts; }, "receiver.counts is true"},
