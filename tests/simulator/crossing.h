@@ -26,7 +26,8 @@ enum Effect : unsigned {
   kThrusters = 2048,
   kGlass = 4096,  // A box that transmits sound.
   kFull = 8192,   // Full ground truth.
-  kPaper = 16384
+  kPaper = 16384,
+  kSides = 32768,  // A side-scan sonar as second sonar, with crosstalk.
 };
 
 inline SonarConfig scanning_head() {
@@ -37,6 +38,22 @@ inline SonarConfig scanning_head() {
   sonar.azimuth_aperture = 3 * kDegree;
   sonar.head.step = 9 * kDegree;
   sonar.position = {0, -0.3, 0.1};
+  return sonar;
+}
+
+inline SonarConfig looking_abeam() {
+  SonarConfig sonar = small_sonar();
+  sonar.name = "sides";
+  sonar.type = SonarType::kSideScan;
+  sonar.beam_count = 2;
+  sonar.azimuth_aperture = 2 * kDegree;
+  sonar.elevation_aperture = 50 * kDegree;
+  sonar.elevation_center = 0;
+  sonar.depression = 25 * kDegree;
+  sonar.crosstalk_db = -30;
+  sonar.position = {0, 0.2, 0};
+  // Abeam of the vehicle is ahead of it: the world lies there.
+  sonar.orientation = {0, 0, 70 * kDegree};
   return sonar;
 }
 
@@ -52,6 +69,9 @@ inline Scenario crossing_scenario(unsigned effects, const char* engine) {
   }
   if (has(kHead)) {
     scenario.sonars.push_back(scanning_head());
+  }
+  if (has(kSides)) {
+    scenario.sonars.push_back(looking_abeam());
   }
   if (has(kTwo)) {
     scenario.sonars.push_back(small_sonar());
@@ -132,6 +152,10 @@ inline constexpr unsigned kCrossings[] = {
     kGlass | kPoints | kOthers | kTwo | kMutual,
     kGlass | kSea | kWaves | kMoved | kPoints | kFull,
     kWalks | kMotion | kThrusters | kMoved,
+    kSides | kSea | kWaves | kMoved | kPoints | kArray,
+    kSides | kMotion | kMutual | kTwo | kFull,
+    kSides | kWalks | kOthers | kThrusters | kGlass | kArray,
+    kPaper | kSides | kMoved,
     kPaper | kTwo,
     kPaper | kHead | kMoved,
     kPaper | kSea | kMoved,

@@ -33,7 +33,10 @@ void print_sonar(const RecordedSonar& sonar) {
   say("\n    {} x {} from {:.6g} to {:.6g} m, {:.6g} kHz{}\n",
       counted(static_cast<std::uint64_t>(config.beam_count), "beam"),
       counted(static_cast<std::uint64_t>(config.bin_count), "bin"), config.min_range, config.max_range,
-      config.frequency / 1000, config.scans() ? ", scanning" : config.is_side_scan() ? ", side-scan" : "");
+      config.frequency / 1000,
+      config.scans()          ? ", scanning"
+      : config.is_side_scan() ? ", side-scan"
+                              : "");
   if (sonar.levels) {
     say("    intensity from levels of {}\n", sonar.levels->text);
   }
