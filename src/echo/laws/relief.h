@@ -18,6 +18,18 @@ LAW Triple bent_normal(Triple normal, Triple gradient) {
   return direction_of(direction_of(normal) - gradient);
 }
 
+/// Solid angle of a facet of the relief as the sonar sees it, re that of the flat surface beneath: (n - g).d / n.d, of
+/// mean 1 over a relief whose slopes have mean 0. A facet that is turned away has none. No facet has more than twice as
+/// much, for which as many others are hidden: so the mean over a symmetric relief stays 1.
+/// @param facing  Cosine of incidence on the facet, of either sign.
+LAW Real facet_share(Triple gradient, Triple direction, Real facing) {
+  const Real along = inner(gradient, direction);
+  const Real seen = facing * sqrt(1 + inner(gradient, gradient));
+  const Real beneath = seen + along;  // Cosine on the flat surface, in the same measure.
+  const Real share = beneath == 0 ? REAL(0.0) : seen / beneath;
+  return share < 0 ? REAL(0.0) : (share > 2 ? REAL(2.0) : share);
+}
+
 /// The four texels around a point of a tile, and its shares of the right and the lower ones.
 struct TexelPlace {
   int left, right, top, bottom;

@@ -85,6 +85,17 @@ void scatter_curved_on_top(int rows, const ScatterTable::Laws laws, float neper_
 }
 
 INSONIFY_VECTOR_CLONES
+void add_relief(int rows, const HitColumn& hits, float* __restrict__ power) {
+  const float *const dx = hits.direction_x, *const dy = hits.direction_y, *const dz = hits.direction_z;
+  const float *const gx = hits.gradient_x, *const gy = hits.gradient_y, *const gz = hits.gradient_z;
+  const float *const facing = hits.facing, *const texture = hits.texture;
+  for (int row = 0; row < rows; ++row) {
+    const float share = facet_share({gx[row], gy[row], gz[row]}, {dx[row], dy[row], dz[row]}, facing[row]);
+    power[row] *= texture[row] * texture[row] * share;
+  }
+}
+
+INSONIFY_VECTOR_CLONES
 void look_up_constants(int rows, const float* constants, std::uint32_t nothing,
                        const SurfaceLabel* __restrict__ surface, float* __restrict__ mirrored) {
   for (int row = 0; row < rows; ++row) {
@@ -181,9 +192,7 @@ void ScatterTable::fill_powers(int rows, float neper_per_metre, const HitColumn&
                                             hits.power);
   }
   if (hits.has_relief) {
-    for (int row = 0; row < rows; ++row) {
-      hits.power[row] *= hits.texture[row] * hits.texture[row];
-    }
+    add_relief(rows, hits, hits.power);
   }
 }
 

@@ -101,9 +101,13 @@ void ReferenceColumn::compute_powers() {
       hits_.strength[row] = hits_.power[row] = 0;
     } else if (plan_.model == EchoModel::kCalibrated) {
       const double texture = hits_.has_relief ? first_[row].texture : 1.0F;
-      hits_.power[row] = static_cast<float>(precise::primary_intensity_of(plan_.scatter.scattering(hits_.surface[row]),
-                                                                          hits_.facing[row], texture, gamma,
-                                                                          first_[row].distance, widening(row)));
+      const double share = hits_.has_relief
+                               ? precise::facet_share(precise::triple_of(first_[row].gradient.cast<double>()),
+                                                      precise::triple_of(rays_[row].direction), hits_.facing[row])
+                               : 1.0;
+      hits_.power[row] = static_cast<float>(
+          share * precise::primary_intensity_of(plan_.scatter.scattering(hits_.surface[row]), hits_.facing[row],
+                                                texture, gamma, first_[row].distance, widening(row)));
     } else {
       const double strength =
           precise::paper_strength(hits_.facing[row], first_[row].reflectivity, gamma, 2 * first_[row].distance);

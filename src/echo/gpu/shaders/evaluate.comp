@@ -25,6 +25,9 @@ float calibrated_power(PingAt ping, PlanTables plan, uint column, uint row, vec3
   const float texture = Floats(ping.samples.reflectivity).at[at];
   float power = primary_intensity(own.lambert, glint, on_top, facing, plan.neper_per_metre, range);
   power *= texture * texture * reached;
+  if (ping.samples.gradient != 0) {
+    power *= facet_share(Vectors(ping.samples.gradient).at[at], direction, facing);
+  }
   const PlacedMesh placed = PlacedMeshes(PlacedSceneAt(ping.scene).scene.instances).at[surface >> 16];
   const uint triangle = Uints(ping.samples.triangle).at[at];
   if (placed.glinting != 0 && Uints(placed.glinting).at[triangle] != 0) {
