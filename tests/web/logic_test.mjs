@@ -9,7 +9,7 @@ import { Camera, screenPlace } from "../page/js/draw/camera.js";
 import { drawGraticule } from "../page/js/draw/graticule.js";
 import { makePlan } from "../page/js/draw/plan.js";
 import { RoundPicture } from "../page/js/draw/round.js";
-import { crossLines } from "../page/js/draw/shapes.js";
+import { crossLines, fanShape, sectorShape } from "../page/js/draw/shapes.js";
 import { clearPoint, heightAbove } from "../page/js/draw/sight.js";
 import { bearing } from "../page/js/format.js";
 import { Frames } from "../page/js/frames.js";
@@ -171,6 +171,22 @@ const failed = await runChecks({
     }
     const round = labelsOf(head, "round").map(({ text }) => text);
     for (const text of ["90° P", "90° S", "0°", "180°"]) assert.ok(round.includes(text), text);
+  },
+
+  async "a side-scan sonar has two sectors abeam, and both sides in its picture"() {
+    const sides = sonarOf(2, 0.5, { type: "sss", product: "waterfall", azimuths: [90, -90], elevation_center: -30, elevation_aperture: 50 });
+    assert.deepEqual([sides.ports[0], sides.starboards[0], sides.starboards[1]], [Math.PI / 2, 0, -Math.PI / 2]);
+    const { lines } = sectorShape(sides);
+    assert.equal(lines.length, 2 * sectorShape(sonarOf(1, 0.5)).lines.length);
+    // Its corners are 5 and 55 degrees below horizontal, within a quarter of a degree of abeam.
+    const points = Array.from({ length: lines.length / 3 }, (_, i) => lines.slice(3 * i, 3 * i + 3)).filter(([, y]) => y !== 0);
+    for (const [x, y, z] of points) {
+      assert.ok(Math.abs(x) <= 15 * Math.sin(radians(0.26)), `${x}`);
+      const below = (Math.atan2(-z, Math.abs(y)) * 180) / Math.PI;
+      assert.ok(Math.abs(below - 5) < 0.01 || Math.abs(below - 55) < 0.01, `${below}`);
+    }
+    assert.ok(points.some(([, y]) => y > 5) && points.some(([, y]) => y < -5));
+    assert.equal(fanShape(sides).length, 0);
   },
 
   async "walls are not between camera and vehicle, and the way down ends at the ground"() {

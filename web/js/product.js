@@ -1,4 +1,5 @@
-// product.js -- what is drawn of a sonar, by the product of its pings: an image, or lines of one beam that a head turns.
+// product.js -- what is drawn of a sonar, by the product of its pings: an image, lines of one beam that a head turns, or
+// rows of a side-scan sonar's waterfall.
 // Nothing else chooses: the views ask the table.
 
 import { turned } from "./geometry.js";
@@ -16,6 +17,8 @@ const kProducts = {
     beam: (beam) => `Beam ${beam}   `,
     chosen: "   (chosen)",                // behind the chosen beam
     waterfall: null,                      // caption; null: that of what is chosen
+    sides: false,                         // whether the waterfall shows port and starboard, the track between them
+    main: null,                           // the large view when such a sonar is chosen; null: as it is
     hint: "A click on the picture chooses the beam, and the object.",
   },
   line: {
@@ -28,12 +31,25 @@ const kProducts = {
     beam: () => "",
     chosen: "",
     waterfall: "Head's beam",
+    sides: false,
+    main: null,
     hint: "The head has one beam: each row is a ping, in the direction that the head had then. A click on the picture chooses the object.",
   },
 };
 
+// Its picture is that of one ping, both beams side by side.
+kProducts.waterfall = {
+  ...kProducts.image,
+  pictures: ["polar"],
+  beam: (beam) => `${beam === 0 ? "Port" : "Starboard"}   `,
+  waterfall: "Port   |   starboard",
+  sides: true,
+  main: "waterfall",
+  hint: "Each row of the waterfall is a ping, the newest on top; the track runs down its middle. A click on the picture chooses the side, and the object.",
+};
+
 /** The kinds of picture of all products. */
-export const kPictures = Object.values(kProducts).flatMap(({ pictures }) => pictures);
+export const kPictures = [...new Set(Object.values(kProducts).flatMap(({ pictures }) => pictures))];
 
 /** What is drawn of a SONAR of `hello`. */
 export const productOf = (sonar) => kProducts[sonar.product];

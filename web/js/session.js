@@ -144,6 +144,7 @@ export class Session {
     const sonar = { ...describeSonar(described), shape: shapeOf(described) };
     const same = before?.name === sonar.name;
     if (!same) this.#rates.reset();
+    if (!same && (sonar.product.main || before?.product.main)) store.set({ main: sonar.product.main ?? "picture" });
     store.set({
       sonar, ping: null, shown: null, cursor: null, path: [],
       mode: this.#modeFor(sonar, same),

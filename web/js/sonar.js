@@ -7,10 +7,13 @@ import { kRoundSlots, productOf } from "./product.js";
 export function describeSonar(sonar) {
   const azimuths = sonar.azimuths.map(radians);
   const aperture = radians(sonar.azimuth_aperture ?? 0);
-  const edges = sonar.azimuth_edges?.map(radians) ?? edgesOf(azimuths, aperture);
+  const product = productOf(sonar);
+  // The picture has both sides of a side-scan sonar side by side, however narrow its beams are.
+  const edges = product.sides
+    ? [Math.PI / 2, 0, -Math.PI / 2]
+    : sonar.azimuth_edges?.map(radians) ?? edgesOf(azimuths, aperture);
   // Edges between beams; where there are gaps between beams, both edges of each in turn.
   const each = edges.length > azimuths.length + 1 ? 2 : 1;
-  const product = productOf(sonar);
   const vertical = product.gathers && sonar.mounting === "vertical";
   return {
     ...sonar,
@@ -22,6 +25,7 @@ export function describeSonar(sonar) {
     ports: azimuths.map((_, beam) => edges[each * beam]),
     starboards: azimuths.map((_, beam) => edges[each * beam + 1]),
     binLength: (sonar.max_range - sonar.min_range) / sonar.bins,
+    azimuthAperture: aperture,
     elevationAperture: radians(sonar.elevation_aperture ?? 20),
     elevationCentre: radians(sonar.elevation_center ?? 0),
   };

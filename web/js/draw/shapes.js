@@ -26,22 +26,27 @@ function boxTriangles(from, to) {
 
 /** Lines around the insonified sector, and the triangles of its upper and lower face, in the sonar's frame. */
 export function sectorShape(sonar) {
-  const [port, starboard] = [sonar.ports[0], sonar.starboards.at(-1)];
   const [lower, upper] = [-0.5, 0.5].map((part) => sonar.elevationCentre + part * sonar.elevationAperture);
-  const steps = Math.max(2, Math.ceil((port - starboard) / 0.06));
-  const azimuth = (i) => port + ((starboard - port) * i) / steps;
+  const half = sonar.azimuthAperture / 2;
+  const sectors = sonar.product.sides
+    ? sonar.beamAzimuths.map((azimuth) => [azimuth + half, azimuth - half])
+    : [[sonar.ports[0], sonar.starboards.at(-1)]];
   const lines = [];
   const faces = [];
-  for (const elevation of [lower, upper]) {
-    for (let i = 0; i < steps; ++i) {
-      const [a, b] = [sonarPoint(sonar.max_range, azimuth(i), elevation), sonarPoint(sonar.max_range, azimuth(i + 1), elevation)];
-      lines.push(...a, ...b);
-      faces.push(0, 0, 0, ...a, ...b);
+  for (const [port, starboard] of sectors) {
+    const steps = Math.max(2, Math.ceil((port - starboard) / 0.06));
+    const azimuth = (i) => port + ((starboard - port) * i) / steps;
+    for (const elevation of [lower, upper]) {
+      for (let i = 0; i < steps; ++i) {
+        const [a, b] = [sonarPoint(sonar.max_range, azimuth(i), elevation), sonarPoint(sonar.max_range, azimuth(i + 1), elevation)];
+        lines.push(...a, ...b);
+        faces.push(0, 0, 0, ...a, ...b);
+      }
+      for (const edge of [port, starboard]) lines.push(0, 0, 0, ...sonarPoint(sonar.max_range, edge, elevation));
     }
-    for (const edge of [port, starboard]) lines.push(0, 0, 0, ...sonarPoint(sonar.max_range, edge, elevation));
-  }
-  for (const edge of [port, starboard]) {
-    lines.push(...sonarPoint(sonar.max_range, edge, lower), ...sonarPoint(sonar.max_range, edge, upper));
+    for (const edge of [port, starboard]) {
+      lines.push(...sonarPoint(sonar.max_range, edge, lower), ...sonarPoint(sonar.max_range, edge, upper));
+    }
   }
   return { lines: new Float32Array(lines), faces: new Float32Array(faces) };
 }
@@ -52,9 +57,10 @@ export function crossLines(points, reach) {
   return new Float32Array(points.flatMap((point) => [0, 1, 2].flatMap((axis) => ends(point, axis))));
 }
 
-/** The fan as triangles of x, y, beam, bin. */
+/** The fan as triangles of x, y, beam, bin; a side-scan sonar has none. */
 export function fanShape(sonar) {
   const corners = [];
+  if (sonar.product.sides) return new Float32Array(corners);
   for (let beam = 0; beam < sonar.beams; ++beam) {
     const at = (azimuth, range, u) => {
       const [x, y] = sonarPoint(range, azimuth);

@@ -1,4 +1,5 @@
-// waterfall.js -- pings over time: the chosen beam, or the strongest echo at each range; the newest ping is on top.
+// waterfall.js -- pings over time: the chosen beam, the strongest echo at each range, or both sides of a side-scan sonar;
+// the newest ping is on top.
 
 import { byId, context2d, fitCanvas, themeColour, write } from "../dom.js";
 import { colourTable } from "../draw/colour_maps.js";
@@ -12,7 +13,7 @@ const kRows = 512;
 const kPixels = 3;  // height of a ping in CSS pixels
 
 const kVertex = `#version 300 es
-out vec2 place;  // 0 to 1: near to far, old to new
+out vec2 place;  // 0 to 1: near to far (or the far end of port to that of starboard), old to new
 void main() {
   vec2 clip = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
   place = clip * 0.5 + 0.5;
@@ -23,7 +24,7 @@ const kFragment = `#version 300 es
 precision highp float;
 precision highp int;
 ${kLevelGlsl}
-uniform int newest, rows;
+uniform int newest, rows, sides;
 uniform float visible;  // pings from top to bottom
 in vec2 place;
 out vec4 colour;
@@ -39,7 +40,8 @@ void main() {
     int at = min(int(bin) + i, size.x - 1);
     strongest = max(strongest, texelFetch(levels, ivec2(at, row), 0).r);
   }
-  colour = vec4(colour_of(brightness(strongest, gain_at(min_range + (bin + 0.5) * bin_length))), 1);
+  float from_track = sides != 0 ? abs(bin - 0.5 * float(size.x)) : bin;
+  colour = vec4(colour_of(brightness(strongest, gain_at(min_range + (from_track + 0.5) * bin_length))), 1);
 }`;
 
 export class WaterfallView {
@@ -75,8 +77,10 @@ export class WaterfallView {
     this.peaks = [];  // of the rows, with the display's gain by range, newest first [dB]
     this.time = this.between = undefined;
     if (!sonar) return;
-    this.group = Math.ceil(sonar.bins / this.limit);
-    this.width = Math.ceil(sonar.bins / this.group);
+    const parts = sonar.product.sides ? 2 : 1;
+    this.group = Math.ceil((parts * sonar.bins) / this.limit);
+    this.reach = Math.ceil(sonar.bins / this.group);  // columns from the track outwards
+    this.width = parts * this.reach;
     this.levels.fill(this.width, kRows, new Uint16Array(this.width * kRows));
     const beam = store.get("waterfallOf") === "beam";
     const azimuth = sonar.beamAzimuths[Math.min(store.get("beam"), sonar.beams - 1)];
@@ -86,19 +90,23 @@ export class WaterfallView {
 
   /** Takes in every ping, also while the picture is not drawn. */
   add(ping) {
+    const sonar = this.store.get("sonar");
     const beam = this.store.get("waterfallOf") === "beam" ? Math.min(this.store.get("beam"), ping.beams - 1) : -1;
     const row = new Uint16Array(this.width);
     const { level } = ping.tables;
     const tvg = this.store.get("tvg");
-    const sonar = this.store.get("sonar");
     let peak = -Infinity;
     for (let bin = 0; bin < ping.bins; ++bin) {
       const start = bin * ping.beams;
-      let value = 0;
-      if (beam >= 0) value = level[start + beam];
-      else for (let i = start; i < start + ping.beams; ++i) if (level[i] > value) value = level[i];
       const column = Math.floor(bin / this.group);
-      if (value > row[column]) row[column] = value;
+      let value = 0;
+      if (beam >= 0 && !sonar.product.sides) value = level[start + beam];
+      else for (let i = start; i < start + ping.beams; ++i) if (level[i] > value) value = level[i];
+      if (sonar.product.sides) {
+        const [port, starboard] = [this.reach - 1 - column, this.reach + column];
+        row[port] = Math.max(row[port], level[start]);
+        row[starboard] = Math.max(row[starboard], level[start + 1]);
+      } else if (value > row[column]) row[column] = value;
       if (value > 0) peak = Math.max(peak, levelDb(value) + tvg * Math.log10(Math.max(binRange(sonar, bin), 0.01)));
     }
     this.levels.write(0, this.count % kRows, this.width, 1, row);
@@ -144,6 +152,7 @@ export class WaterfallView {
     write(byId("waterfall-caption"), most > store.get("high") ? `${this.what}, to ${number(most)} dB` : this.what);
     gl.uniform1i(at.newest, (this.count - 1 + kRows) % kRows);
     gl.uniform1i(at.rows, Math.min(this.count, kRows));
+    gl.uniform1i(at.sides, sonar.product.sides ? 1 : 0);
     gl.uniform1f(at.visible, this.#visible);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
     this.#drawScale(sonar);
@@ -167,8 +176,13 @@ export class WaterfallView {
       context.fillText(words, x, y);
     };
     const spacing = ringSpacing(sonar.max_range);
-    for (const range of ticks(Math.max(sonar.min_range, spacing), sonar.max_range, spacing)) {
-      const x = (width * (range - sonar.min_range)) / (sonar.max_range - sonar.min_range);
+    const ranges = ticks(Math.max(sonar.min_range, spacing), sonar.max_range, spacing);
+    const share = (range) => (range - sonar.min_range) / (sonar.max_range - sonar.min_range);
+    const places = sonar.product.sides
+      ? [-1, 1].flatMap((side) => ranges.map((range) => [range, 0.5 + 0.5 * side * share(range)]))
+      : ranges.map((range) => [range, share(range)]);
+    for (const [range, part] of places) {
+      const x = width * part;
       if (x < 14 || x > width - 14) continue;
       // Over the rows as over a picture, below them as on the page.
       const rows = Math.min(height - 15, (height * this.count) / this.#visible);
