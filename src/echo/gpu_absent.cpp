@@ -12,12 +12,12 @@ constexpr const char* kWhy = "insonify was built without Vulkan (Debian, Ubuntu:
 }  // namespace
 
 const EngineKind& gpu_kind() {
-  static const EngineKind kind = {.name = "gpu",
-                                  .make = [](Workers&, std::string_view) -> std::unique_ptr<Engine> {
-                                    throw Error(std::string("engine gpu: ") + kWhy);
-                                  },
-                                  .find_hardware = [](std::string_view) -> std::string { throw Error(kWhy); }};
-  return kind;
+  static const EngineKind kAbsent = {.name = "gpu",
+                                     .make = [](Workers&, std::string_view) -> std::unique_ptr<Engine> {
+                                       throw Error(std::string("engine gpu: ") + kWhy);
+                                     },
+                                     .find_hardware = [](std::string_view) -> std::string { throw Error(kWhy); }};
+  return kAbsent;
 }
 
 std::vector<std::string> gpu_device_texts() {

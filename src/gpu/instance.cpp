@@ -75,8 +75,8 @@ const DeviceInfo* best_in_hardware(const std::vector<DeviceInfo>& devices) {
 }  // namespace
 
 Instance& Instance::only() {
-  static Instance* const only = new Instance;
-  return *only;
+  static Instance* const kOnly = new Instance;
+  return *kOnly;
 }
 
 Instance::Instance() {

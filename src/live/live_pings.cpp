@@ -72,7 +72,7 @@ double LiveLoop::State::time_now() const {
   return paused ? anchor_time : std::min(run->next_time(), anchor_time + std::max(0.0, since) * speed);
 }
 
-void LiveLoop::State::begin_run(LiveStart start, Lock& lock) {
+void LiveLoop::State::begin_run(const LiveStart& start, Lock& lock) {
   run.emplace(scenario_from(scenario, start), start);
   anchor_time = 0;
   anchor = Clock::now();
@@ -238,6 +238,7 @@ void LiveLoop::State::make_next(Lock& lock) {
   }
   const std::vector<int> sonars = run->next_sonars();
   std::vector<PingRequest> requests;
+  requests.reserve(sonars.size());
   for (const int sonar : sonars) {
     requests.push_back(next_request(sonar));
   }

@@ -127,7 +127,7 @@ struct LiveLoop::State {
   std::shared_ptr<LivePing> make_one(int sonar, const PingRequest& request, const Stamps& stamps);
   void take_place(Lock& lock);
   void apply(LivePrepared next, Lock& lock);
-  void begin_run(LiveStart start, Lock& lock);
+  void begin_run(const LiveStart& start, Lock& lock);
   void announce_world(Lock& lock);
   void begin_next_recording(Lock& lock);
   void end_recording(Lock& lock);

@@ -59,7 +59,7 @@ std::size_t bytes_of(const std::vector<Value>& values) {
 
 }  // namespace
 
-GpuMesh::GpuMesh(gpu::Device& device, std::shared_ptr<const Mesh> of, std::shared_ptr<const MeshFaces> plane)
+GpuMesh::GpuMesh(gpu::Device& device, std::shared_ptr<const Mesh> of, const std::shared_ptr<const MeshFaces>& plane)
     : mesh(std::move(of)) {
   std::vector<LeafBox> boxes;
   boxes.reserve(mesh->triangles.size());

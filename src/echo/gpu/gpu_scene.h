@@ -22,7 +22,7 @@ namespace insonify {
 /// A mesh and its tree, in the mesh's frame.
 struct GpuMesh {
   /// @param faces  Null for the paper's model, which has none.
-  GpuMesh(gpu::Device& device, std::shared_ptr<const Mesh> of, std::shared_ptr<const MeshFaces> faces);
+  GpuMesh(gpu::Device& device, std::shared_ptr<const Mesh> of, const std::shared_ptr<const MeshFaces>& faces);
 
   std::shared_ptr<const Mesh> mesh;
   LeafBox box;

@@ -27,7 +27,8 @@ void read_beams(const PingMemory& memory, int first_beam, int last_beam, EchoGri
   grid.clear(first_beam, last_beam);
   for (int beam = first_beam; beam < last_beam; ++beam) {
     grid.met_before(beam) = met_before[beam];
-    const int last = static_cast<int>(used[2 * beam + 1]), first = bins - static_cast<int>(used[2 * beam]);
+    const std::uint32_t* const ends = &used[2 * static_cast<std::size_t>(beam)];
+    const int last = static_cast<int>(ends[1]), first = bins - static_cast<int>(ends[0]);
     if (last == 0) {
       continue;
     }

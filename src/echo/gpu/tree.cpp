@@ -246,6 +246,7 @@ Tree build_tree(const std::vector<LeafBox>& boxes, int in_leaf, TreeDepth depth)
   Branch above;
   if (root->leaf_count > 0) {  // The root is a node in any case.
     std::vector<RTCBounds> bounds;
+    bounds.reserve(boxes.size());
     for (const LeafBox& box : boxes) {
       bounds.push_back(bounds_of(box));
     }

@@ -25,7 +25,7 @@ class MeshSides {
   /// Ends of a side, by their numbers(); the lower first.
   struct Ends {
     std::uint32_t low, high;
-    auto operator<=>(const Ends&) const = default;
+    auto operator<=>(const Ends&) const = default;  // NOLINT(modernize-use-nullptr): there is none.
   };
   [[nodiscard]] Ends ends(std::uint32_t side) const;
   [[nodiscard]] bool runs_upwards(std::uint32_t side) const;  ///< From the lower of its ends to the higher.

@@ -100,7 +100,8 @@ void FlatPlan::set_elevations(const ElevationPatterns& patterns) {
 
 // What a two-way array sends to a bearing is that of its cell's first column.
 float FlatPlan::sent_to(const Arrival& arrival) const {
-  return two_way ? lattice.transmitted[std::max(0, beam_of(arrival.bearing)) * lattice.columns_per_beam]
+  return two_way ? lattice.transmitted[static_cast<std::size_t>(std::max(0, beam_of(arrival.bearing))) *
+                                       lattice.columns_per_beam]
                  : arrival.transmitted;
 }
 

@@ -116,8 +116,9 @@ void add_strips(const Mesh& mesh, const Face& face, const Candidate& candidate, 
   const Vec3f zero = Vec3f::Zero();
   const float area = 4 * side.norm() * half.norm();
   for (int i = 0; i < kStrips * slabs; ++i) {
-    const auto strip = static_cast<float>(2 * (i % kStrips) + 1 - kStrips);
-    const auto slab = static_cast<float>(2 * (i / kStrips) + 1 - slabs);
+    const int row = i % kStrips, column = i / kStrips;
+    const auto strip = static_cast<float>(2 * row + 1 - kStrips);
+    const auto slab = static_cast<float>(2 * column + 1 - slabs);
     const auto first_patch = static_cast<std::uint32_t>(parts.patches.size());
     for (const float to : {1.0F, -1.0F}) {
       if (to > 0 ? candidate.on_front : candidate.on_back) {

@@ -59,8 +59,9 @@ void ThinBody::aim(std::vector<Ray>& rays) const {
   for (int k = 0; k < directions_; ++k) {
     const double angle = std::numbers::pi * k / directions_;
     const Vec3 direction = std::cos(angle) * one + std::sin(angle) * two;
-    rays[first_ray_ + 2 * k] = probe_ray(inside, direction, *wall_);
-    rays[first_ray_ + 2 * k + 1] = probe_ray(inside, -direction, *wall_);
+    Ray* const both = &rays[first_ray_ + 2 * static_cast<std::size_t>(k)];
+    both[0] = probe_ray(inside, direction, *wall_);
+    both[1] = probe_ray(inside, -direction, *wall_);
   }
 }
 

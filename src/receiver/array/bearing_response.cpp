@@ -198,11 +198,12 @@ void BearingResponse::set_block(const Focus& focus, int block, int first_beam, b
     float *const energies = gains.energy.row(i), *const in_phase = gains.in_phase.row(i),
                  *const quadrature = gains.quadrature.row(i);
     for (int cell = first; cell < last; ++cell) {
+      const std::ptrdiff_t at = std::ptrdiff_t{GainMatrix::kBlockBeams} * cell;
       if (energy) {
-        energies[cell * GainMatrix::kBlockBeams] = real[cell] * real[cell] + imaginary[cell] * imaginary[cell];
+        energies[at] = real[cell] * real[cell] + imaginary[cell] * imaginary[cell];
       } else {
-        in_phase[cell * GainMatrix::kBlockBeams] = real[cell];
-        quadrature[cell * GainMatrix::kBlockBeams] = imaginary[cell];
+        in_phase[at] = real[cell];
+        quadrature[at] = imaginary[cell];
       }
     }
   }

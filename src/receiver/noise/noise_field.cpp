@@ -91,6 +91,7 @@ std::vector<float> noise_taps(const Pulse& pulse, double bin_length) {
     power += tap * tap;
   }
   std::vector<float> scaled;
+  scaled.reserve(taps.size());
   for (const double tap : taps) {
     scaled.push_back(static_cast<float>(tap / std::sqrt(power)));
   }

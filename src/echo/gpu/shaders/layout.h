@@ -13,12 +13,14 @@ namespace insonify::shader {
 using uint = std::uint32_t;
 using address = std::uint64_t;
 using int64 = std::int64_t;
+// NOLINTBEGIN(readability-identifier-naming): GLSL's names.
 struct vec3 {
   float x, y, z;
 };
 struct mat3x4 {
   float values[12];  ///< Column after column.
 };
+// NOLINTEND(readability-identifier-naming)
 
 #else
 #define SHARED const
