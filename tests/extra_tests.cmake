@@ -241,6 +241,10 @@ if(INSONIFY_BUILD_APPS)
       COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/apps/replay_view_test.py $<TARGET_FILE:insonify_cli>)
     set_tests_properties(replay_view PROPERTIES TIMEOUT 120 SKIP_RETURN_CODE 77)
   endif()
+  # Files of side-scan sonars, field by field.
+  add_test(NAME side_scan_files
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/apps/side_scan_files_test.py $<TARGET_FILE:insonify_cli>)
+  set_tests_properties(side_scan_files PROPERTIES TIMEOUT 120)
   # Emulated instruments as a driver meets them.
   foreach(test oculus oculus_clients ping360 ping_streamers sonar3d15)
     add_test(NAME emulate_${test}

@@ -110,7 +110,8 @@ enum class MessageKind {
   kRaw,
   kLabels,
   kDescription,
-  kScan
+  kScan,
+  kRawImage
 };
 
 /// Messages of one kind on one topic.
@@ -148,14 +149,15 @@ struct MessageLevels {
 /// | kLabels     | /NAME/labels       | sensor_msgs/msg/Image, mono16                | NAME        |
 /// | kDescription | /NAME/description | std_msgs/msg/String                          |             |
 /// | kScan       | /NAME/scan         | sensor_msgs/msg/LaserScan                    | NAME        |
+/// | kRawImage   | /NAME/raw_sonar_image | marine_acoustic_msgs/msg/RawSonarImage    | NAME_beams  |
 ///
 /// Points are in the middle of their beams, as a sonar knows them; true points at the elevations of the ground truth.
 /// kRaw exists with MessageOptions::raw only: the values of the sonar image, row i its bin i, column 0 the beam
 /// furthest to port. With MessageOptions::live, kLabels has Ping::instance in that layout; kDescription is a JSON
 /// object with beams, bins, levels and the names of labels; kScan has the first returns of a scanning head's last turn,
-/// or last sweep across its sector. NAME is MessageSource::name. Frame NAME is that of the housing (x forward, y to
-/// port, z up). NAME_beams, of the sonar image, has z along the middle of the fan, y to port, x down.
-/// docs/reference/messages.md has every field.
+/// or last sweep across its sector. kRawImage is that of a side-scan sonar, with the values of the sonar image. NAME is
+/// MessageSource::name. Frame NAME is that of the housing (x forward, y to port, z up). NAME_beams, of the sonar image,
+/// has z along the middle of the fan, y to port, x down. docs/reference/messages.md has every field.
 ///
 /// In MessageForm::kGazebo they are gz.msgs.Image (kSonarImage, kFan, kRaw), PointCloudPacked, Pose, Pose_V and
 /// StringMsg, as Protocol Buffers; ignition.msgs have the same bytes.

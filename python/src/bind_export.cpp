@@ -59,6 +59,20 @@ void take_start(const py::object& value, ExportOptions& options) {
   }
 }
 
+// (latitude, longitude) in degrees.
+void take_origin(py::handle value, ExportOptions& options) {
+  options.origin.reset();
+  if (value.is_none()) {
+    return;
+  }
+  std::vector<double> both;
+  from_python(value, "origin", 1, both);
+  if (both.size() != 2) {
+    throw Error("", "origin", " must be (latitude, longitude) in degrees");
+  }
+  options.origin = GeographicPoint{both[0], both[1]};
+}
+
 void take_option(const std::string& name, py::handle value, ExportOptions& options) {
   bool known = true;
   if (name == "replace") {
@@ -69,6 +83,8 @@ void take_option(const std::string& name, py::handle value, ExportOptions& optio
     take_levels(value, options);
   } else if (name == "start") {
     take_start(py::reinterpret_borrow<py::object>(value), options);
+  } else if (name == "origin") {
+    take_origin(value, options);
   } else if (name == "rate") {
     from_python(value, name, 1, options.video.rate);
   } else if (name == "height") {
@@ -139,13 +155,16 @@ void bind_export(py::module_& module) {
   module.def(
       "export", &export_all, py::arg("recordings"), py::arg("file"),
       "export(recordings, file, **options)\n\nWrites recordings of one run, one per sonar, to a file in the format of "
-      "its ending: .mcap (ROS 2 messages), .bag (of ROS 1), .npz, .zarr, .mp4 or .gif, as `insonify export`.\n\n"
+      "its ending: .mcap (ROS 2 messages), .bag (of ROS 1), .npz, .zarr, .xtf and .jsf (side-scan sonars), .mp4 or\n"
+      ".gif, as `insonify export`.\n\n"
       "recordings: a path or a RecordedPings, or a list of them; the path of an MCAP file includes all of its sonars. "
       "Options: replace (False: an error where the file is there). compress (True), of .npz. levels (low, high) in dB "
       "as on the colour bar, of videos, .mcap and .bag; None fits. colour_map (or color_map). annotations. rate, "
       "pictures a second, and height in pixels, 240 to 8192, of videos. bits (8 or 16), strong_share, fan_height in "
       "pixels, fan_rate (fan pictures a second at most, 0 for none; 2 for scanning sonars unless given), world_frame "
-      "and start (the run's time 0, \"2026-06-01T10:00:00Z\" or a datetime with its time zone), of .mcap and .bag.\n\n"
+      "and start (the run's time 0, \"2026-06-01T10:00:00Z\" or a datetime with its time zone), of .mcap and .bag; "
+      "start "
+      "and origin (latitude and longitude of the world's origin in degrees), of .xtf and .jsf.\n\n"
       "Warns (insonify.Warning) of values above the highest level of .mcap and .bag, which are clipped. Raises Error "
       "with the path for an unknown extension, several sonars in a video, an existing file, a full disk, and and a "
       "video without ffmpeg; KeyboardInterrupt on Control-C, which leaves no file.");

@@ -35,6 +35,8 @@ const char* name_of(MessageKind kind) {
       return "description";
     case MessageKind::kScan:
       return "scan";
+    case MessageKind::kRawImage:
+      return "raw_image";
   }
   return "";
 }

@@ -7,12 +7,14 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <map>
 
 #include "console/commands.h"
 #include "console/console.h"
 #include "console/outcome.h"
 #include "console/stop.h"
+#include "insonify/printable.h"
 #include "insonify/recording_formats.h"
 #include "insonify/recording_info.h"
 #include "pictures/picture_options.h"
@@ -28,6 +30,7 @@ struct ExportCommand {
   int bits = 16;                    // Bits of a value of sonar images in .mcap, 8 or 16.
   MessageChoice messages;           // What the messages of .mcap and .bag hold.
   bool store = false;               // Leave .npz uncompressed.
+  std::string origin = {};          // Latitude and longitude of the world's origin, for .xtf and .jsf; "": none.
   std::optional<double> rate = {};  // Pictures a second of a video.
   PictureOptions pictures;          // Colours and levels.
   std::vector<std::string> given;   // Names of the options that act on some formats only and were given.
@@ -36,10 +39,15 @@ struct ExportCommand {
 // Refuses options that do nothing for the format.
 void check_effects(const ExportCommand& options) {
   static const std::map<std::string, std::vector<std::string>> kActsOn = {
-      {"--bits", {".mcap", ".bag"}},  {"--fan-rate", {".mcap", ".bag"}},
-      {"--start", {".mcap", ".bag"}}, {"--store", {".npz"}},
-      {"--rate", {".mp4", ".gif"}},   {"--colour-map", {".mp4", ".gif", ".mcap", ".bag"}},
-      {"--height", {".mp4", ".gif"}}, {"--levels", {".mp4", ".gif", ".mcap", ".bag"}}};
+      {"--bits", {".mcap", ".bag"}},
+      {"--fan-rate", {".mcap", ".bag"}},
+      {"--start", {".mcap", ".bag", ".xtf", ".jsf"}},
+      {"--store", {".npz"}},
+      {"--origin", {".xtf", ".jsf"}},
+      {"--rate", {".mp4", ".gif"}},
+      {"--colour-map", {".mp4", ".gif", ".mcap", ".bag"}},
+      {"--height", {".mp4", ".gif"}},
+      {"--levels", {".mp4", ".gif", ".mcap", ".bag"}}};
   const std::filesystem::path& file = options.file;
   std::string ending = (file.has_filename() ? file : file.parent_path()).extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -52,6 +60,25 @@ void check_effects(const ExportCommand& options) {
       throw InputError(fmt::format("{} has no effect on {}, only on {}", name, ending, fmt::join(endings, ", ")));
     }
   }
+}
+
+// Two numbers, such as "48.4455,-68.828".
+std::optional<GeographicPoint> origin_of(const std::string& text) {
+  if (text.empty()) {
+    return {};
+  }
+  const auto number = [&](std::string_view part) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+    if (error != std::errc() || end != part.data() + part.size()) {
+      throw InputError(fmt::format("--origin {} must be a latitude and a longitude in degrees, such as 48.45,-68.83",
+                                   printable(text)));
+    }
+    return value;
+  };
+  const std::string_view both = text;
+  const std::size_t comma = std::min(both.find(','), both.size());
+  return GeographicPoint{number(both.substr(0, comma)), number(both.substr(std::min(comma + 1, both.size())))};
 }
 
 // Every fault of the input is found here, before anything is written.
@@ -90,6 +117,7 @@ int export_command(const ExportCommand& options) {
   how.messages = message_options(style, options.messages);
   how.messages.bits = options.bits;
   how.log = [](Severity, const std::string& message) { complain("warning: " + message + "; --levels changes that"); };
+  how.origin = origin_of(options.origin);
   how.video.rate = options.rate;
   how.video.low_db = how.messages.low_db;
   how.video.high_db = how.messages.high_db;
@@ -125,6 +153,8 @@ void add_export(const Command& program) {
                  one_of({"8", "16"}));
   add_message_choice(command, options.messages, "in .mcap and .bag", "[that of the recordings, else 1970]");
   command.flag("--store", &options.store, "Do not compress .npz");
+  command.option("--origin", "LAT,LON", &options.origin,
+                 "Where the world's origin is [deg], for positions in .xtf and .jsf [metres]");
   command.option("--rate", "N", &options.rate,
                  "Frames per second of a video [as fast as the pings were made, at most 50]",
                  number_within(above_to(0, 120)));
@@ -142,7 +172,7 @@ void add_export(const Command& program) {
       "  insonify export run.mcap --sonar fls -o fls.npz\n"
       "  insonify export out/fls.h5 -o fls.gif --levels -90:-40 --height 480");
   command.act([command, &options, &bits] {
-    for (const char* name : {"--bits", "--store", "--rate", "--height", "--colour-map", "--levels"}) {
+    for (const char* name : {"--bits", "--store", "--rate", "--height", "--colour-map", "--levels", "--origin"}) {
       if (command.given(name)) {
         options.given.emplace_back(name);
       }

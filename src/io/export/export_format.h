@@ -24,6 +24,8 @@ void export_mcap(RecordedSonars recordings, const std::filesystem::path& file, c
 void export_bag(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options);
 void export_npz(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options);
 void export_zarr(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options);
+void export_xtf(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options);
+void export_jsf(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options);
 void export_video(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options);
 
 /// @throws Interrupted when the caller has asked to stop.

@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 
 #include "base/utf8.h"
@@ -19,8 +21,11 @@ namespace {
 struct ExportFormat : ExportKind {
   void (*write)(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options);
   std::string_view mark = {};  // A file in every export of the format, which is a folder; "": it is a file.
-  bool one_sonar = false;      // Whether it shows one sonar only.
+  std::size_t most_sonars = std::numeric_limits<std::size_t>::max();
+  bool side_scan = false;  // Whether it holds side-scan sonars only.
 };
+
+constexpr std::size_t kMostSideScans = 3;  // Six channels of an XTF header, three frequencies of EdgeTech's.
 
 // In the order in which messages list them.
 constexpr ExportFormat kFormats[] = {
@@ -28,8 +33,10 @@ constexpr ExportFormat kFormats[] = {
     {{".bag", "ROS 1 messages of all sonars, for rosbag"}, export_bag},
     {{".npz", "NumPy arrays: numpy.load(FILE)[\"intensity\"]"}, export_npz},
     {{".zarr", "a folder of chunked arrays, one chunk a ping"}, export_zarr, ".zgroup"},
-    {{".mp4", "the fan of one sonar, by the program ffmpeg"}, export_video, "", true},
-    {{".gif", "the same as a moving picture"}, export_video, "", true}};
+    {{".xtf", "side-scan sonars with navigation, for survey programs"}, export_xtf, "", kMostSideScans, true},
+    {{".jsf", "the same as files of EdgeTech's"}, export_jsf, "", kMostSideScans, true},
+    {{".mp4", "the fan of one sonar, by the program ffmpeg"}, export_video, "", 1},
+    {{".gif", "the same as a moving picture"}, export_video, "", 1}};
 
 const ExportFormat* format_of(const std::filesystem::path& file) {
   const auto* const found = std::ranges::find(kFormats, ending_of(file), &ExportFormat::ending);
@@ -77,6 +84,38 @@ void check_names(RecordedSonars recordings) {
   }
 }
 
+// Whether the format can hold these sonars.
+void check_kinds(const std::filesystem::path& file, const ExportFormat& format, RecordedSonars recordings) {
+  if (recordings.size() > format.most_sonars) {
+    std::vector<std::string> names;
+    for (const auto& recording : recordings) {
+      names.push_back(name_of(*recording));
+    }
+    throw Error(fmt::format("{}: a {}, and there are {}: {}", file.string(),
+                            format.side_scan
+                                ? fmt::format("file of {} holds at most {} sonars", format.ending, format.most_sonars)
+                                : "video shows one sonar",
+                            names.size(), printable(fmt::format("{}", fmt::join(names, ", ")))));
+  }
+  for (const auto& recording : recordings) {
+    if (format.side_scan && !recording->sonar_config().is_side_scan()) {
+      throw Error(fmt::format("{}: its sonar {} is not a side-scan sonar; {} holds these alone",
+                              recording->path().string(), printable(name_of(*recording)), format.ending));
+    }
+  }
+}
+
+void check_origin(const ExportOptions& options) {
+  if (!options.origin) {
+    return;
+  }
+  const auto [latitude, longitude] = *options.origin;
+  if (!(std::abs(latitude) <= 90 && std::abs(longitude) <= 180)) {
+    throw Error(fmt::format("origin = {:.9g},{:.9g} must be a latitude from -90 to 90 and a longitude from -180 to 180",
+                            latitude, longitude));
+  }
+}
+
 // A file holds one run. Recordings of other programs do not identify their run.
 void check_run(RecordedSonars recordings) {
   const RecordedTables& first = *recordings.front();
@@ -120,6 +159,7 @@ Checked checked(std::span<const RecordingPart> recordings, const std::filesystem
     throw Error(fmt::format("{}: there is not a recording to export", found.file.string()));
   }
   check_place(found.file, *found.format, options.replace);
+  check_origin(options);
   for (const RecordingPart& recording : recordings) {
     for (auto& sonar : open_all_tables(recording.path, recording.sonar)) {
       if (sonar->ping_count() == 0) {
@@ -128,14 +168,7 @@ Checked checked(std::span<const RecordingPart> recordings, const std::filesystem
       found.sonars.push_back(std::move(sonar));
     }
   }
-  if (found.format->one_sonar && found.sonars.size() > 1) {
-    std::vector<std::string> names;
-    for (const auto& sonar : found.sonars) {
-      names.push_back(name_of(*sonar));
-    }
-    throw Error(fmt::format("{}: a video shows one sonar, and there are {}: {}", found.file.string(), names.size(),
-                            printable(fmt::format("{}", fmt::join(names, ", ")))));
-  }
+  check_kinds(found.file, *found.format, found.sonars);
   check_names(found.sonars);
   check_run(found.sonars);
   return found;

@@ -90,6 +90,20 @@ std::vector<std::byte> encode_values(MessageForm form, const MessageHeader& head
   return out.take();
 }
 
+template <typename Value>
+std::vector<std::byte> encode_samples(MessageForm form, const MessageHeader& header, const SonarImageFacts& facts,
+                                      const RawImageFacts& raw, std::span<const Value> values) {
+  const std::vector<float> none(raw.receive_angles.size());  // No beam is sent late, or steered along the track.
+  RosWriter out(form, values.size_bytes() + none.size() * sizeof(float) * 5 + kAroundData);
+  put(out, header);
+  out.put(facts.frequency, facts.sound_speed, std::span(facts.transmit_widths), std::span(facts.receive_widths));
+  out.put(raw.sample_rate, static_cast<std::uint32_t>(facts.ranges.size()), raw.first_sample);
+  out.put(std::span(none), std::span(none), std::span(raw.receive_angles));
+  out.put(false);  // is_bigendian
+  out.put(type_of(Value{}), static_cast<std::uint32_t>(none.size()), octets(std::as_bytes(values)));
+  return out.take();
+}
+
 }  // namespace
 
 std::vector<std::byte> encode_text(MessageForm form, std::string_view text) {
@@ -184,6 +198,18 @@ std::vector<std::byte> encode_sonar_image(MessageForm form, const MessageHeader&
 std::vector<std::byte> encode_sonar_image(MessageForm form, const MessageHeader& header, const SonarImageFacts& facts,
                                           std::span<const std::uint16_t> values) {
   return encode_values(form, header, facts, values);
+}
+
+std::vector<std::byte> encode_raw_sonar_image(MessageForm form, const MessageHeader& header,
+                                              const SonarImageFacts& facts, const RawImageFacts& raw,
+                                              std::span<const std::uint8_t> values) {
+  return encode_samples(form, header, facts, raw, values);
+}
+
+std::vector<std::byte> encode_raw_sonar_image(MessageForm form, const MessageHeader& header,
+                                              const SonarImageFacts& facts, const RawImageFacts& raw,
+                                              std::span<const std::uint16_t> values) {
+  return encode_samples(form, header, facts, raw, values);
 }
 
 }  // namespace insonify

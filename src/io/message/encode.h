@@ -38,6 +38,13 @@ struct SonarImageFacts {
   std::vector<float> ranges;             ///< Centre of each bin [m].
 };
 
+/// marine_acoustic_msgs/RawSonarImage beyond that: samples in time.
+struct RawImageFacts {
+  float sample_rate = 0;              ///< [Hz]; 0: unknown.
+  std::uint32_t first_sample = 0;     ///< Samples from the transmission to the first one.
+  std::vector<float> receive_angles;  ///< Of each beam across the track, from straight down to starboard [rad].
+};
+
 /// A point of a cloud, in the message's layout.
 struct CloudPoint {
   float x = 0, y = 0, z = 0;  ///< [m]
@@ -78,5 +85,13 @@ struct LineScan {
 [[nodiscard]] std::vector<std::byte> encode_sonar_image(MessageForm form, const MessageHeader& header,
                                                         const SonarImageFacts& facts,
                                                         std::span<const std::uint16_t> values);
+
+/// The same values as samples of each beam in time, for ROS 1 or 2.
+[[nodiscard]] std::vector<std::byte> encode_raw_sonar_image(MessageForm form, const MessageHeader& header,
+                                                            const SonarImageFacts& facts, const RawImageFacts& raw,
+                                                            std::span<const std::uint8_t> values);
+[[nodiscard]] std::vector<std::byte> encode_raw_sonar_image(MessageForm form, const MessageHeader& header,
+                                                            const SonarImageFacts& facts, const RawImageFacts& raw,
+                                                            std::span<const std::uint16_t> values);
 
 }  // namespace insonify

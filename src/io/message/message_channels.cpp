@@ -116,6 +116,16 @@ constexpr std::pair<std::string_view, std::string_view> kTypes[] = {
      "geometry_msgs/Vector3[] beam_directions\n"
      "float32[] ranges\n"
      "marine_acoustic_msgs/SonarImageData image\n"},
+    {"marine_acoustic_msgs/RawSonarImage",
+     "std_msgs/Header header\n"
+     "marine_acoustic_msgs/PingInfo ping_info\n"
+     "float32 sample_rate\n"
+     "uint32 samples_per_beam\n"
+     "uint32 sample0\n"
+     "float32[] tx_delays\n"
+     "float32[] tx_angles\n"
+     "float32[] rx_angles\n"
+     "marine_acoustic_msgs/SonarImageData image\n"},
 };
 
 // Where ROS 1 differs.
@@ -128,6 +138,7 @@ constexpr std::pair<std::string_view, std::string_view> kRos1Header = {"std_msgs
 constexpr std::pair<std::string_view, std::string_view> kRos1Checksums[] = {
     {"geometry_msgs/PoseStamped", "d3812c3cbc69362b77dc0b19b345f8f5"},
     {"marine_acoustic_msgs/ProjectedSonarImage", "c72fc8e29ab227a547720a36666022fd"},
+    {"marine_acoustic_msgs/RawSonarImage", "84d7210aa67320a9262e0908f3e466c5"},
     {"sensor_msgs/Image", "060021388200f6f0f447d0fcd9c64743"},
     {"sensor_msgs/LaserScan", "90c7ef2dc6895d81024acba2ac42f369"},
     {"sensor_msgs/PointCloud2", "1158d486dd51d683ce2f1be655c3c181"},
@@ -183,6 +194,7 @@ std::string_view gazebo_type(MessageKind kind) {
     case MessageKind::kLabels:  // These are ROS's alone.
     case MessageKind::kDescription:
     case MessageKind::kScan:
+    case MessageKind::kRawImage:
       break;
   }
   return "gz.msgs.Image";
@@ -212,7 +224,7 @@ std::string_view ros1_checksum(std::string_view type) {
 }
 
 std::vector<MessageChannel> message_channels(const std::string& name, MessageForm form, const MessageOptions& options,
-                                             bool scans) {
+                                             const SonarConfig& sonar) {
   const std::string at = "/" + name;
   const auto channel = [form](MessageKind kind, std::string topic, const std::string& package,
                               const std::string& type) -> MessageChannel {
@@ -240,8 +252,12 @@ std::vector<MessageChannel> message_channels(const std::string& name, MessageFor
     channels.push_back(channel(MessageKind::kLabels, at + "/labels", "sensor_msgs", "Image"));
     channels.push_back(channel(MessageKind::kDescription, at + "/description", "std_msgs", "String"));
   }
-  if (options.live && scans) {
+  if (options.live && sonar.scans()) {
     channels.push_back(channel(MessageKind::kScan, at + "/scan", "sensor_msgs", "LaserScan"));
+  }
+  if (sonar.is_side_scan() && form != MessageForm::kGazebo) {
+    channels.push_back(
+        channel(MessageKind::kRawImage, at + "/raw_sonar_image", "marine_acoustic_msgs", "RawSonarImage"));
   }
   for (MessageChannel& each : channels) {
     each.latched =

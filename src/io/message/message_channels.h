@@ -12,9 +12,8 @@
 namespace insonify {
 
 /// Channels of the sonar called `name` in topics.
-/// @param scans  Whether it is a scanning sonar.
 [[nodiscard]] std::vector<MessageChannel> message_channels(const std::string& name, MessageForm form,
-                                                           const MessageOptions& options, bool scans);
+                                                           const MessageOptions& options, const SonarConfig& sonar);
 
 /// The definition of a type, followed by those of all types that it is made of: each after a line of 80 equals signs
 /// and a line "MSG: package/Type".

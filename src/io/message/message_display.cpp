@@ -83,6 +83,7 @@ std::vector<CloudPoint> strong_points(const Ping& ping, const std::vector<float>
                                       double share, bool true_elevations) {
   std::vector<CloudPoint> points;
   const float threshold = threshold_of(raised, share);
+  const double middle = sonar.is_side_scan() ? -sonar.depression : sonar.elevation_center;
   for (int bin = 0; bin < ping.bin_count && threshold > 0; ++bin) {
     for (int beam = 0; beam < ping.beam_count; ++beam) {
       const std::size_t cell = ping.index(bin, beam);
@@ -90,7 +91,7 @@ std::vector<CloudPoint> strong_points(const Ping& ping, const std::vector<float>
         continue;
       }
       const bool known = true_elevations && !ping.elevation.empty() && std::isfinite(ping.elevation[cell]);
-      const double elevation = known ? static_cast<double>(ping.elevation[cell]) : sonar.elevation_center;
+      const double elevation = known ? static_cast<double>(ping.elevation[cell]) : middle;
       const Vec3 place =
           point_from_spherical({sonar.bin_range(bin), sonar.beam_azimuth(beam) + ping.head_angle, elevation});
       points.push_back({static_cast<float>(place.x()), static_cast<float>(place.y()), static_cast<float>(place.z()),

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "insonify/files.h"
@@ -101,6 +102,7 @@ struct SonarMessages::State {
   void look_for_fan();
   [[nodiscard]] std::vector<std::byte> sonar_image() const;
   [[nodiscard]] std::vector<std::byte> raw_image() const;
+  [[nodiscard]] std::vector<std::byte> raw_sonar_image() const;
   [[nodiscard]] Picture fan() const;
   [[nodiscard]] std::vector<std::byte> points(bool true_elevations) const;
   [[nodiscard]] std::vector<FramePose> transforms() const;
@@ -110,9 +112,11 @@ struct SonarMessages::State {
 
 std::vector<std::byte> SonarMessages::State::sonar_image() const {
   SonarImageFacts now = facts;
+  const double down = source.sonar.is_side_scan() ? source.sonar.depression : 0;  // x of the message.
   for (int beam = 0; beam < source.sonar.beam_count; ++beam) {
     const double azimuth = source.sonar.beam_azimuth(beam) + ping.head_angle;
-    now.directions[static_cast<std::size_t>(beam)] = Vec3(0, std::sin(azimuth), std::cos(azimuth));
+    now.directions[static_cast<std::size_t>(beam)] =
+        Vec3(std::sin(down), std::cos(down) * std::sin(azimuth), std::cos(down) * std::cos(azimuth));
   }
   const MessageHeader head = header(name + "_beams");
   if (options.bits == 8) {
@@ -121,6 +125,20 @@ std::vector<std::byte> SonarMessages::State::sonar_image() const {
   }
   return encode_sonar_image(form, head, now,
                             std::span<const std::uint16_t>(values_of<std::uint16_t>(raised.intensity, display)));
+}
+
+// The sides of a side-scan sonar look across the track, port to negative angles.
+std::vector<std::byte> SonarMessages::State::raw_sonar_image() const {
+  const SonarConfig& sonar = source.sonar;
+  const auto angle = static_cast<float>(std::numbers::pi / 2 - sonar.depression);
+  const RawImageFacts raw{.sample_rate = static_cast<float>(facts.sound_speed / (2 * sonar.bin_length())),
+                          .first_sample = static_cast<std::uint32_t>(std::lround(sonar.min_range / sonar.bin_length())),
+                          .receive_angles = {-angle, angle}};
+  const auto encode = [&]<typename Value>(Value) {
+    return encode_raw_sonar_image(form, header(name + "_beams"), facts, raw,
+                                  std::span<const Value>(values_of<Value>(raised.intensity, display)));
+  };
+  return options.bits == 8 ? encode(std::uint8_t{}) : encode(std::uint16_t{});
 }
 
 // A fan picture is due at the first ping of each interval of 1 / fan_rate.
@@ -193,7 +211,7 @@ SonarMessages::SonarMessages(MessageSource source, MessageOptions options, Messa
   const std::string name = ros_name(source.name.empty() ? source.sonar.name : source.name);
   const double sound_speed = source.sonar.assumed_sound_speed.value_or(0);  // 0: unknown, as the .msg file says.
   SonarImageFacts facts = image_facts(source.sonar, sound_speed);
-  std::vector<MessageChannel> channels = message_channels(name, form, options, source.sonar.scans());
+  std::vector<MessageChannel> channels = message_channels(name, form, options, source.sonar);
   state_ = std::make_unique<State>(
       State{std::move(source), std::move(options), form, name, std::move(channels), display, std::move(facts)});
 }
@@ -288,6 +306,8 @@ std::vector<std::byte> SonarMessages::encode(std::size_t channel) const {
       return encode_text(state.form, sonar_description(state.source, state.options, state.name));
     case MessageKind::kScan:
       return state.scan();
+    case MessageKind::kRawImage:
+      return state.raw_sonar_image();
     case MessageKind::kScenario:
       break;
   }

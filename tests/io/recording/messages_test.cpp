@@ -47,6 +47,51 @@ TEST(SonarMessagesTest, SonarImageIsRangeMajorWithStarboardAtPositiveAzimuth) {
   EXPECT_TRUE(in.at_end());
 }
 
+// Sides 40 deg below the horizontal are 50 deg from straight down. Bins of 0.5 m from 2 m on: sample 4, 1480 a second.
+TEST(SonarMessagesTest, SideScansHaveRawImagesOfTwoBeams) {
+  SonarConfig sides = fan();
+  sides.type = SonarType::kSideScan;
+  sides.beam_count = 2;
+  sides.beam_azimuths.clear();
+  sides.azimuth_aperture = 0.02;
+  sides.depression = radians_from_degrees(40);
+  sides.min_range = 2;
+  sides.max_range = 3;
+  SonarMessages messages(source_of(sides), {.bits = 8});
+  messages.take(ping_of(sides, {-160, 5, -160, 5}));
+  EXPECT_EQ(messages.channels().back().topic, "/fls_2/raw_sonar_image");
+  EXPECT_EQ(messages.channels().back().type, "marine_acoustic_msgs/msg/RawSonarImage");
+  CdrRead in = encoded(messages, MessageKind::kRawImage);
+  EXPECT_EQ(in.header(), std::tuple(12, 250'000'000U, "fls_2_beams"));
+  EXPECT_EQ(in.number<float>(), 455e3F);
+  EXPECT_EQ(in.number<float>(), 1480.0F);
+  EXPECT_THAT(in.numbers<float>(), ElementsAre(0.5F, 0.5F));
+  EXPECT_THAT(in.numbers<float>(), ElementsAre(0.02F, 0.02F));
+  EXPECT_FLOAT_EQ(in.number<float>(), 1480.0F);  // sample_rate
+  EXPECT_EQ(in.number<std::uint32_t>(), 2);      // samples_per_beam
+  EXPECT_EQ(in.number<std::uint32_t>(), 4);      // sample0
+  EXPECT_THAT(in.numbers<float>(), ElementsAre(0, 0));
+  EXPECT_THAT(in.numbers<float>(), ElementsAre(0, 0));
+  const auto half = static_cast<float>(radians_from_degrees(50));
+  EXPECT_THAT(in.numbers<float>(), ElementsAre(testing::FloatEq(-half), testing::FloatEq(half)));
+  EXPECT_FALSE(in.number<bool>());
+  EXPECT_EQ(in.number<std::uint32_t>(), 0);  // DTYPE_UINT8
+  EXPECT_EQ(in.number<std::uint32_t>(), 2);
+  EXPECT_THAT(in.numbers<std::uint8_t>(), ElementsAre(0, 255, 0, 255));
+  EXPECT_TRUE(in.at_end());
+  // In the frame of beams x is down, y to port: the sides look 40 deg below the horizontal.
+  CdrRead image = encoded(messages, MessageKind::kSonarImage);
+  (void)image.header();
+  (void)image.number<float>();
+  (void)image.number<float>();
+  (void)image.numbers<float>();
+  (void)image.numbers<float>();
+  (void)image.number<std::uint32_t>();
+  const double level = std::cos(sides.depression), down = std::sin(sides.depression);
+  EXPECT_THAT(image.doubles(6), ElementsAre(DoubleNear(down, 1e-12), DoubleNear(level, 1e-12), DoubleNear(0, 1e-12),
+                                            DoubleNear(down, 1e-12), DoubleNear(-level, 1e-12), DoubleNear(0, 1e-12)));
+}
+
 TEST(SonarMessagesTest, SixteenBitsResolveAThousandthOfADecibel) {
   SonarMessages messages(source_of(fan()), {.bits = 16});
   messages.take(ping_of(fan(), kLevels));
