@@ -9,9 +9,9 @@ namespace insonify {
 
 bool Scenario::has_even_rows(const SonarConfig& sonar) const {
   const ReceiverConfig& own = receiver_of(sonar);
-  return model == EchoModel::kPaper ||
-         (own.beam_shape == BeamShape::kWedge && sonar.elevation_pattern_beside(own) == BeamPattern::kTopHat &&
-          sonar.sent_elevation_pattern(own) == BeamPattern::kTopHat);
+  return model == EchoModel::kPaper || (own.beam_shape == BeamShape::kWedge && !sonar.is_side_scan() &&
+                                        sonar.elevation_pattern_beside(own) == BeamPattern::kTopHat &&
+                                        sonar.sent_elevation_pattern(own) == BeamPattern::kTopHat);
 }
 
 Water Scenario::water_at(const SonarConfig& sonar) const {

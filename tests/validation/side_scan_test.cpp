@@ -3,6 +3,7 @@
 
 #include <numeric>
 
+#include "insonify/error.h"
 #include "support/same_pings.h"
 #include "validation/calibrated_scene.h"
 #include "validation/decibels.h"
@@ -223,6 +224,22 @@ TEST(SideScanReceiverTest, NoiseOfTheSidesDiffers) {
     equal += ping.intensity[ping.index(bin, 0)] == ping.intensity[ping.index(bin, 1)] ? 1 : 0;
   }
   EXPECT_EQ(equal, 0);
+}
+
+TEST(SideScanPrimaryTest, ConesAreNotRasterised) {
+  Scenario scenario = with_lines();
+  scenario.primary = PrimaryEchoes::kRaster;
+  try {
+    scenario.validate();
+    ADD_FAILURE() << "no error";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("primary = raster does not draw the cones of sonars[0]"),
+              std::string::npos)
+        << error.what();
+  }
+  scenario.model = EchoModel::kPaper;
+  scenario.engine = "cpu";
+  EXPECT_NO_THROW(scenario.validate());
 }
 
 TEST(SideScanBatchTest, EqualsSinglePings) {
