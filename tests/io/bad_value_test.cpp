@@ -49,8 +49,17 @@ const BadScenario kCases[] = {
      "scenario.yaml:2:1: water = 1500 must be a map of keys such as temperature_c"},
 
     // Words.
-    {"UnknownType", "world: floor.obj\nsonars:\n  - type: sss\n",
-     "scenario.yaml:3:5: sonars[0].type = \"sss\" must be fls or msis"},
+    {"UnknownType", "world: floor.obj\nsonars:\n  - type: sas\n",
+     "scenario.yaml:3:5: sonars[0].type = \"sas\" must be fls, msis or sss"},
+    {"SidesAreTwo", "world: floor.obj\nsonars:\n  - type: sss\n    azimuth_aperture_deg: 1\n    beam_count: 3\n",
+     "scenario.yaml:5:5: sonars[0].beam_count = 3 must be 2 for type sss, one beam to port and one to starboard"},
+    {"SidesAreNarrow", "world: floor.obj\nsonars:\n  - type: sss\n",
+     "scenario.yaml:3:5: sonars[0].azimuth_aperture_deg = 120 deg must be at most 60 deg for type sss, whose beams are "
+     "narrow along the track"},
+    {"SidesDoNotTurn", "world: floor.obj\nsonars:\n  - type: sss\n    azimuth_aperture_deg: 1\n    step_deg: 1\n",
+     "scenario.yaml:5:5: sonars[0].step_deg belongs to a scanning sonar; this one's type is sss"},
+    {"DepressionOfAFan", "world: floor.obj\nsonars:\n  - depression_deg: 20\n",
+     "scenario.yaml:3:5: sonars[0].depression_deg belongs to a side-scan sonar (type: sss); this one's type is fls"},
     {"UnknownMounting", "world: floor.obj\nsonars:\n  - type: msis\n    mounting: sideways\n",
      "scenario.yaml:4:5: sonars[0].mounting = \"sideways\" must be horizontal or vertical"},
     {"UnknownSigmoid", "world: floor.obj\npaper: {sigmoid: tanh}\nsonars: [{name: fls}]\n",
