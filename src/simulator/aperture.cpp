@@ -119,7 +119,8 @@ Aperture::Aperture(const Scenario& scenario, const SonarConfig& sonar, int index
       housing_from_aperture(sonar.housing_from_aperture(index)),
       seed(seed_of(scenario.seed, index)),
       steered(steered_by_water(scenario, config)),
-      cells(steered, receiver_of(scenario, config)) {
+      cells(steered, receiver_of(scenario, config),
+            sonar.is_side_scan() ? BearingCells::kPerSide : BearingCells::kPerTwoWayBeam) {
   const ReceiverConfig beams = receiver_of(scenario, config);
   const bool calibrated = scenario.model == EchoModel::kCalibrated;
   plan = make_flat_plan({.sonar = steered,

@@ -15,8 +15,6 @@
 namespace insonify {
 namespace {
 
-constexpr int kPerHeadBeam = 8;  // Of pings that overlap, at most a third of a beam apart.
-constexpr int kPerTwoWayBeam = 4;
 constexpr int kMostCells = 32768;
 constexpr double kGuardOfBeam = 0.25;                  // Least width of a guard cell in a gap [beam widths].
 constexpr int kNeighbourBeams = 2;                     // Least beam widths covered on either side of a two-way beam.
@@ -92,7 +90,8 @@ int guard_cells(double beam, double edge, double width, double reach) {
 
 }  // namespace
 
-BearingCells::BearingCells(const SonarConfig& fan, const ReceiverConfig& receiver) : grid(fan.bearings()) {
+BearingCells::BearingCells(const SonarConfig& fan, const ReceiverConfig& receiver, int per_two_way_beam)
+    : grid(fan.bearings()) {
   columns = fan.sampling.columns_per_beam.value_or(Sampling::kColumns);
   if (receiver.azimuth_pattern == BeamPattern::kTopHat) {
     grid.shape = receiver.beam_shape;
@@ -105,7 +104,7 @@ BearingCells::BearingCells(const SonarConfig& fan, const ReceiverConfig& receive
   const bool two_way = fan.is_two_way();
   const double slice = widest_slice(beams);
   const bool dense = slice <= kWidestSingle * std::sin(beam_width(fan));
-  per_beam = cells_per_beam(fan, slice, fan.scans() ? kPerHeadBeam : two_way ? kPerTwoWayBeam : dense ? 1 : 2);
+  per_beam = cells_per_beam(fan, slice, two_way ? per_two_way_beam : dense ? 1 : 2);
   columns = std::max(1, (columns + per_beam - 1) / per_beam);
   if (two_way) {
     set_two_way(fan, two_way_reach(fan, receiver));

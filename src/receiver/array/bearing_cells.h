@@ -19,7 +19,8 @@ namespace insonify {
 /// spacing is at most kWidestSingle of their width, each has one cell. A gap between beams is filled with guard cells
 /// as far as the beams beside it reach.
 ///
-/// The single beam of a two-way array, such as that of a scanning head, is divided into eight cells. The grid extends
+/// The single beam of a two-way array, such as that of a scanning head, is divided into eight cells, that of
+/// a side-scan sonar into four. The grid extends
 /// by two beam widths on either side, and further to where the two-way pattern of the perfect array stays below
 /// kTwoWayFloorDb: in cells as narrow up to kNarrowNeighbours beam widths on either side, beyond in cells as wide as
 /// the beam, so that they take little time.
@@ -36,8 +37,12 @@ struct BearingCells {
   static constexpr double kTwoWayFloorDb = -60;  ///< Re the main lobe, as BearingResponse::kFloorDb [dB].
   static constexpr int kNarrowNeighbours = 4;    ///< Beyond, side lobes of a uniform line are below -45 dB.
 
+  static constexpr int kPerTwoWayBeam = 8;
+  static constexpr int kPerSide = 4;
+
+  /// @param per_two_way_beam  Cells of the beam of a two-way array.
   /// @throws Error if beams narrower than their spacing take more than 32768 cells.
-  BearingCells(const SonarConfig& sonar, const ReceiverConfig& receiver);
+  BearingCells(const SonarConfig& sonar, const ReceiverConfig& receiver, int per_two_way_beam = kPerTwoWayBeam);
 
   BearingGrid grid;         ///< The cells, which engines sample.
   int columns = 1;          ///< Lattice columns in each cell.
