@@ -38,6 +38,11 @@ constexpr auto words_of<SonarType>() {
 /// What the pings of a sonar make: each the picture of a fan, or lines of one picture: sectors of a plan or a slice, or
 /// rows of a waterfall.
 enum class Product { kImage, kLine, kWaterfall };
+template <>
+constexpr auto words_of<Product>() {
+  return EnumWords<Product, 3>{
+      {{"image", Product::kImage}, {"line", Product::kLine}, {"waterfall", Product::kWaterfall}}};
+}
 
 /// How a fan's beams get their directions: by delays between elements, or by a lens.
 enum class Steering { kElectronic, kLens };
@@ -193,6 +198,9 @@ struct SonarConfig {
 
   /// Whether the array across bearings transmits too.
   [[nodiscard]] bool is_two_way() const { return two_way_array || scans() || is_side_scan(); }
+
+  /// Elevation of the middle of its beams in the frame of the housing [rad].
+  [[nodiscard]] double middle_elevation() const { return is_side_scan() ? -depression : elevation_center; }
 
   /// Azimuth of the centre of beam `beam` [rad]; falls from port (beam 0) to starboard.
   [[nodiscard]] double beam_azimuth(int beam) const;

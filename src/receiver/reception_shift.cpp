@@ -33,7 +33,8 @@ ReceptionShift::ReceptionShift(const BearingCells& cells, const SonarConfig& son
       range_scale_(range_scale),
       sound_speed_(sound_speed),
       bias_(bias),
-      has_array_(has_array) {}
+      has_array_(has_array),
+      bearing_share_(sonar.is_two_way() ? 0.5 : 1) {}
 
 // Speed of approach v . d towards an azimuth, at the middle of the elevation aperture [m/s].
 double ReceptionShift::approach(double azimuth) const {
@@ -65,11 +66,11 @@ void ReceptionShift::prepare_cell(int cell) {
   const double per_bin = 2 * range_scale_ * bin_length_ / sound_speed_;  // Time from bin to bin [s].
   const auto end_at = [&](double bin) {
     const double time = 2 * range_scale_ * range_at(bin + 0.5) / sound_speed_;
-    const double shown = cells_.centres[cell] + motion_.turn_rate * time;
-    const double azimuth = shown + parallax(shown);
+    const double shown = cells_.centres[cell] + bearing_share_ * motion_.turn_rate * time;
+    const double azimuth = shown + bearing_share_ * parallax(shown);
     return End{azimuth, approach(azimuth)};
   };
-  const double turn = std::abs(motion_.turn_rate) * per_bin * bins_;
+  const double turn = bearing_share_ * std::abs(motion_.turn_rate) * per_bin * bins_;
   const int pieces = std::clamp(static_cast<int>(std::ceil(turn / kPieceTurn)), 1, bins_);
   End first = end_at(0);
   int from = cell;
@@ -114,7 +115,8 @@ DiscreteEcho ReceptionShift::moved(DiscreteEcho echo) const {
   const double speed = is_ours ? approach(azimuth) : 0;
   const double received = range - speed * (range / sound_speed_ + bias_);
   const double position = (received / range_scale_ - min_range_) / bin_length_;
-  const double bearing = azimuth - (is_ours ? parallax(azimuth) : 0) - motion_.turn_rate * 2 * received / sound_speed_;
+  const double turned = motion_.turn_rate * 2 * received / sound_speed_;
+  const double bearing = azimuth - (is_ours ? bearing_share_ * (parallax(azimuth) + turned) : turned);
   echo.bearing_sine = static_cast<float>(std::sin(bearing));
   const int cell = cells_.last_before(bearing, echo.beam);
   const bool within = position >= 0 && position < bins_ && (has_array_ || cells_.has(cell, bearing));

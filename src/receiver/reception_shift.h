@@ -26,6 +26,10 @@ namespace insonify {
 ///
 /// where b [s] is the range error of a chirp per unit of approach speed (Pulse::doppler_bias()). Cells are moved whole,
 /// to the nearest bin and cell. Speckle is computed for the pose at transmission.
+///
+/// An array that transmits too has sent towards the first bearing and receives from the second. The product of its
+/// pattern at both is centred midway, where the two-way pattern is taken: half the shift. What the product is lower
+/// there than the pattern's square is left out.
 class ReceptionShift {
  public:
   /// @param cells        The grids' cells.
@@ -64,6 +68,7 @@ class ReceptionShift {
   bool uneven_;                                // Whether cells have different widths, between which none moves.
   double range_scale_, sound_speed_, bias_;
   bool has_array_;
+  double bearing_share_;  // Share of the shift of the bearing that echoes of its own pulse have.
   PingMotion motion_;
   std::vector<std::int32_t> source_;  // [cell][bin], see sources().
 };

@@ -178,27 +178,35 @@ BottomTrack track_bottom(std::span<const Ping> pings, const SonarConfig& sonar, 
   return tracker.finish();
 }
 
+std::optional<double> altitude_by_truth(const Ping& ping, const SonarConfig& sonar) {
+  check_line_ping(ping, sonar);
+  constexpr double kSine = 0.5;  // Sine of 30 degrees.
+  std::optional<double> least;
+  for (int beam = 0; beam < ping.beam_count && !ping.elevation.empty(); ++beam) {
+    for (int bin = 0; bin < ping.bin_count; ++bin) {
+      const double range = sonar.bin_range(bin), elevation = double{ping.elevation[ping.index(bin, beam)]};
+      const Vec3 way = point_from_spherical({range, sonar.beam_azimuth(beam), elevation});
+      const double below = -(ping.world_from_sonar.orientation * way).z();
+      if (below > kSine * range) {  // False for NaN.
+        least = std::min(below, least.value_or(below));
+        break;
+      }
+    }
+  }
+  return least;
+}
+
 double true_altitude(const Ping& ping, const SonarConfig& sonar) {
   check_line_ping(ping, sonar);
   if (ping.elevation.empty()) {
     throw Error(
         fmt::format("ping {} of {} has no elevations; ground_truth: labels adds them", ping.number, sonar.name));
   }
-  constexpr double kBelow = -radians_from_degrees(30);
-  double nearest = std::numeric_limits<double>::infinity();
-  for (int beam = 0; beam < ping.beam_count; ++beam) {
-    for (int bin = 0; bin < ping.bin_count; ++bin) {
-      const double elevation = double{ping.elevation[ping.index(bin, beam)]};
-      if (elevation < kBelow) {
-        nearest = std::min(nearest, -sonar.bin_range(bin) * std::sin(elevation));
-        break;
-      }
-    }
-  }
-  if (!std::isfinite(nearest)) {
+  const std::optional<double> altitude = altitude_by_truth(ping, sonar);
+  if (!altitude) {
     throw Error(fmt::format("ping {} of {}: no echo of it is from below", ping.number, sonar.name));
   }
-  return nearest;
+  return *altitude;
 }
 
 }  // namespace insonify

@@ -153,6 +153,42 @@ TEST(SideScanPointTest, IsAsWideAlongTheTrackAsTheBeamIsThere) {
   }
 }
 
+// Sent from x and received at x + v t, the point is in the middle of both beams where it is abeam of x + v t / 2; with
+// a turn of w to port, w t / 2 of bearing behind or ahead of that.
+TEST(SideScanMotionTest, PointsAreSeenHalfwayBetweenTransmissionAndReception) {
+  for (const double speed : {0.0, 2.7, -4.1}) {
+    for (const double rate : {0.0, 0.03}) {
+      constexpr double kAway = 38.86, kBelow = 0.5;  // Range [m], angle below the horizontal [rad].
+      Scenario scenario = with_lines();
+      scenario.motion_in_ping = true;
+      scenario.points = {
+          {.position = {0, -kAway * std::cos(kBelow), -kAway * std::sin(kBelow)}, .target_strength_db = -20}};
+      Simulator simulator(scenario, Scene{}, 2);
+      const auto energy_at = [&](double along) {
+        PingRequest request;
+        request.world_from_vehicle.position = {along, 0, 0};
+        request.twist = {.linear = {speed, 0, 0}, .angular = {0, 0, rate}};
+        const Ping ping = simulator.ping(0, request);
+        double sum = 0;
+        for (int bin = 0; bin < ping.bin_count; ++bin) {
+          sum += double{ping.intensity[ping.index(bin, 1)]};
+        }
+        return sum;
+      };
+      const double width = kAway * 0.8 * kDegree * 0.6378333973704464 / 0.8858929413781328;  // [m]
+      double sum = 0, moment = 0;
+      for (double along = -1.2; along <= 1.2; along += 0.02) {
+        sum += energy_at(along);
+        moment += along * energy_at(along);
+      }
+      const double time = 2 * kAway / simulator.scenario().water.true_sound_speed();
+      // Turned to port, the starboard beam points ahead: it sees the point from farther behind.
+      const double expected = -speed * time / 2 - rate * time / 2 * kAway * std::cos(kBelow);
+      EXPECT_NEAR(moment / sum, expected, 0.02 * width) << speed << " m/s, " << rate << " rad/s";
+    }
+  }
+}
+
 // The shadow of a post of height h at range R on a bed H below begins at R and is h R / (H - h) long on the ground.
 TEST(SideScanShadowTest, IsAsLongAsThePostIsHigh) {
   constexpr double kGround = 16.2, kHeight = 1.7;
@@ -212,6 +248,76 @@ TEST(SideScanReceiverTest, SidesHaveNoiseAndSpeckleOfTheirOwnAndOneFullScale) {
     full += count == 255 ? 1 : 0;
   }
   EXPECT_NEAR(full, 0.01 * 880, 2);
+}
+
+// Thermal noise NL = -15 + 20 log10(f / 1 kHz), over 20 kHz, less DI and SL: Mellen (1952), J. Acoust. Soc. Am. 24,
+// 478. The receiving beam is a line's along the track, .8858929 wavelengths over 2 sin(w / 2) long, and a top hat
+// across: its solid angle is the height of the fan times wavelength / D.
+TEST(SideScanNoiseTest, IsThatOfTheSonarEquationOnEachSideOfTwoSonars) {
+  Scenario scenario = with_lines();
+  scenario.receiver.noise = scenario.receiver.speckle = true;
+  scenario.sonars[0].bandwidth = 20e3;
+  scenario.sonars.push_back(scenario.sonars[0]);
+  scenario.sonars[1].name = "second";
+  scenario.sonars[1].frequency = 900e3;
+  scenario.sonars[1].position = {0.3, 0, 0};
+  scenario.mutual_interference = true;  // Their bands do not overlap.
+  Simulator simulator(scenario, Scene{}, 2);
+  for (const int index : {0, 1}) {
+    const SonarConfig& sonar = simulator.sonar(index);
+    double sums[2] = {};
+    constexpr int kPings = 40;
+    for (int number = 0; number < kPings; ++number) {
+      PingRequest request;
+      request.number = static_cast<std::uint64_t>(number);
+      const Ping ping = simulator.ping(index, request);
+      for (int bin = 0; bin < ping.bin_count; ++bin) {
+        sums[0] += double{ping.intensity[ping.index(bin, 0)]} / (kPings * ping.bin_count);
+        sums[1] += double{ping.intensity[ping.index(bin, 1)]} / (kPings * ping.bin_count);
+      }
+    }
+    const double angle = 50 * kDegree * 2 * std::sin(0.4 * kDegree) / 0.8858929413781328;  // [sr]
+    const double level = -15 + 20 * std::log10(sonar.frequency / 1e3) + db(20e3) - db(4 * kPi / angle) - 200;
+    EXPECT_NEAR(db(sums[0]), level, 0.3) << index;
+    EXPECT_NEAR(db(sums[1]), level, 0.3) << index;
+  }
+}
+
+// Bins of 0.1 m hold eight resolutions of a chirp of 60 kHz, c / 2B = 12.5 mm. The mean of their looks is the level of
+// the bed; of the greatest of n exponential looks it is the harmonic number of n.
+TEST(SideScanCoarseBinsTest, HoldTheLevelOfTheBedWhateverTheyKeep) {
+  Scenario scenario = with_lines();
+  scenario.receiver.speckle = true;
+  scenario.receiver.azimuth_pattern = BeamPattern::kTopHat;
+  SonarConfig& sonar = scenario.sonars[0];
+  sonar.pulse = PulseKind::kLfm;
+  sonar.pulse_duration = 1e-3;
+  sonar.pulse_bandwidth = 60e3;
+  const Scene bed = seabed_at(-kAltitude, diffuse(-23));
+  const auto top_hat = [](double below) { return std::abs(below - 33 * kDegree) <= 25 * kDegree ? 1.0 : 0.0; };
+  const auto level_over = [&](Decimation decimation) {
+    scenario.receiver.decimation = decimation;
+    Simulator simulator(scenario, bed, 2);
+    double ratio = 0, count = 0;
+    for (int number = 0; number < 12; ++number) {
+      PingRequest request;
+      request.world_from_vehicle.position = {2.0 * number, 0, 0};
+      const Ping ping = simulator.ping(0, request);
+      for (int bin = 120; bin < 380; bin += 5) {
+        // One look has the energy of a resolution, c / 2B, of the bin's 0.1 m.
+        const double expected =
+            linear(bed_level(0.1 * bin, 0.1 * (bin + 1), kAltitude, -23, sonar.azimuth_aperture, top_hat)) *
+            (1489.83 / 2 / 60e3) / 0.1;
+        ratio += (double{ping.intensity[ping.index(bin, 0)]} + double{ping.intensity[ping.index(bin, 1)]}) / expected;
+        count += 2;
+      }
+    }
+    return db(ratio / count);
+  };
+  EXPECT_NEAR(level_over(Decimation::kMean), 0, 0.3);
+  EXPECT_NEAR(level_over(Decimation::kSample), 0, 0.4);  // 1248 looks: a standard deviation of 0.12 dB.
+  EXPECT_NEAR(level_over(Decimation::kPeak),
+              db(1 + 1 / 2.0 + 1 / 3.0 + 1 / 4.0 + 1 / 5.0 + 1 / 6.0 + 1 / 7.0 + 1 / 8.0), 0.4);
 }
 
 // One noise field for both sides would be the same numbers twice.

@@ -15,15 +15,9 @@ namespace insonify {
 namespace {
 
 std::string_view name_of(Product product) {
-  switch (product) {
-    case Product::kLine:
-      return "scanning (type: msis)";
-    case Product::kWaterfall:
-      return "side-scan (type: sss)";
-    case Product::kImage:
-      break;
-  }
-  return "forward-looking (type: fls)";
+  constexpr std::string_view kNames[] = {"forward-looking (type: fls)", "scanning (type: msis)",
+                                         "side-scan (type: sss)"};
+  return kNames[static_cast<std::size_t>(product)];
 }
 
 std::string names_in(const Scenario& scenario) {

@@ -89,18 +89,6 @@ Json scenario_keys(const Scenario& scenario) {
   return keys;
 }
 
-std::string_view product_word(Product product) {
-  switch (product) {
-    case Product::kLine:
-      return "line";
-    case Product::kWaterfall:
-      return "waterfall";
-    case Product::kImage:
-      break;
-  }
-  return "image";
-}
-
 Json sonar_json(const LiveWorld& world, int index, const ShownLevels& levels) {
   const SonarConfig& sonar = world.sonars[static_cast<std::size_t>(index)];
   Json azimuths = Json::array();
@@ -115,7 +103,7 @@ Json sonar_json(const LiveWorld& world, int index, const ShownLevels& levels) {
   return {{"name", sonar.name},
           {"model", sonar.model},
           {"type", word_of(sonar.type)},
-          {"product", product_word(sonar.product())},
+          {"product", word_of(sonar.product())},
           {"mounting", word_of(sonar.head.mounting)},
           {"beams", sonar.beam_count},
           {"bins", sonar.bin_count},
@@ -124,7 +112,7 @@ Json sonar_json(const LiveWorld& world, int index, const ShownLevels& levels) {
           {"azimuths", azimuths},
           {"azimuth_edges", edges},
           {"elevation_aperture", degrees_from_radians(sonar.elevation_aperture)},
-          {"elevation_center", degrees_from_radians(sonar.is_side_scan() ? -sonar.depression : sonar.elevation_center)},
+          {"elevation_center", degrees_from_radians(sonar.middle_elevation())},
           {"azimuth_aperture", degrees_from_radians(sonar.azimuth_aperture)},
           {"step", degrees_from_radians(sonar.head.step)},
           {"sector_center", degrees_from_radians(sonar.head.sector_center)},

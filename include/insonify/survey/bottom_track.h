@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -64,10 +65,13 @@ class BottomTracker {
 [[nodiscard]] BottomTrack track_bottom(std::span<const Ping> pings, const SonarConfig& sonar,
                                        const BottomTrackOptions& options = {});
 
-/// The altitude by ground truth: r sin(angle below the horizontal) of the nearest bin that has an echo from more than
-/// 30 degrees below the horizontal, the lower of the sides' [m].
+/// The altitude by ground truth: height of the sonar above the nearest echo from more than 30 degrees below the
+/// horizontal of the world, the lesser of the sides' [m]. Something in the water under the sonar is taken for the bed.
 /// @throws Error for a ping without elevations (ground_truth: labels), or without such an echo.
 [[nodiscard]] double true_altitude(const Ping& ping, const SonarConfig& sonar);
+
+/// The same; none where true_altitude() throws for want of elevations or of an echo.
+[[nodiscard]] std::optional<double> altitude_by_truth(const Ping& ping, const SonarConfig& sonar);
 
 /// Whether a sonar looks to its sides: one beam that does not turn, or a beam to port and one to starboard.
 [[nodiscard]] bool is_side_looking(const SonarConfig& sonar);

@@ -52,7 +52,9 @@ class AngleGain {
 
  private:
   struct Class {
-    double sum = 0, degrees = 0, count = 0;  // Of intensities, of angles, of both.
+    double sum = 0;      // Intensities of its bins.
+    double degrees = 0;  // Their angles below the horizontal [deg].
+    double count = 0;    // Number of bins.
   };
   using Side = std::array<Class, 90>;  // By degrees below the horizontal.
   struct Mean {

@@ -14,8 +14,8 @@
 namespace insonify {
 namespace {
 
-constexpr std::size_t kHeader = 1024, kFirstChannel = 256, kChannel = 128;  // Of the file [bytes].
-constexpr std::size_t kPing = 256, kPingChannel = 64, kMultiple = 64;       // Of a packet [bytes].
+constexpr std::size_t kHeader = 1024, kFirstChannel = 256, kChannel = 128;  // File header, and its CHANINFO [bytes].
+constexpr std::size_t kPing = 256, kPingChannel = 64, kMultiple = 64;       // Headers of a packet; its size [bytes].
 constexpr double kHertzPerKilohertz = 1000;
 
 // As many bytes in all channels: readers look them up by the channel's place in the packet.
@@ -75,7 +75,7 @@ void put_xtf_time(FieldRecord& packet, std::uint64_t time_ns) {
   packet.put(16, static_cast<std::uint8_t>(clock.month));
   packet.put(17, static_cast<std::uint8_t>(clock.day));
   packet.put(22, static_cast<std::uint16_t>(clock.day_of_year));
-  for (const std::size_t at : {18, 148}) {  // Of the ping, and of its position.
+  for (const std::size_t at : {18, 148}) {  // Times of the ping and of its position.
     packet.put(at, hour);
     packet.put(at + 1, minute);
     packet.put(at + 2, second);
@@ -87,7 +87,7 @@ void put_xtf_time(FieldRecord& packet, std::uint64_t time_ns) {
 void put_navigation(FieldRecord& packet, const SideScanPing& ping, double sound_speed) {
   const auto knots = static_cast<float>(ping.speed / kMetresPerSecondPerKnot);
   packet.put(28, static_cast<std::uint32_t>(ping.number));
-  packet.put(32, static_cast<float>(sound_speed / 2));  // Of range: Triton's own programs write 750.
+  packet.put(32, static_cast<float>(sound_speed / 2));  // Speed of the range: Triton's own programs write 750.
   packet.put(72, static_cast<float>(sound_speed));
   packet.put(120, knots);
   packet.put(124, static_cast<float>(ping.heading));

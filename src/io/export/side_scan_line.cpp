@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "insonify/geometry.h"
+#include "insonify/survey/bottom_track.h"
 
 namespace insonify {
 namespace {
@@ -30,23 +31,6 @@ double sound_speed_of(const RecordedTables& recording, const SonarConfig& sonar)
 double compass(const Vec3& direction) {
   const double degrees = degrees_from_radians(std::atan2(direction.x(), direction.y()));
   return degrees < 0 ? degrees + 360 : degrees;
-}
-
-// The first echo from below is that of the bed under the sonar, unless something is in the water.
-double altitude_of(const Ping& ping, const SonarConfig& sonar) {
-  if (ping.elevation.empty()) {
-    return 0;
-  }
-  for (int bin = 0; bin < ping.bin_count; ++bin) {
-    for (int beam = 0; beam < ping.beam_count; ++beam) {
-      const double elevation = ping.elevation[ping.index(bin, beam)];
-      const Vec3 way = point_from_spherical({sonar.bin_range(bin), sonar.beam_azimuth(beam), elevation});
-      if (const double below = -(ping.world_from_sonar.orientation * way).z(); below > 0) {  // False for NaN.
-        return below;
-      }
-    }
-  }
-  return 0;
 }
 
 // The weight with which the loudest amplitude just fits into a sample.
@@ -148,7 +132,7 @@ SideScanPing SideScanLine::described(std::size_t index, const Ping& ping) const 
   out.speed = velocity.norm();
   out.course = out.speed > 0 ? compass(velocity) : out.heading;
   out.depth = std::max(-pose.position.z(), 0.0);
-  out.altitude = altitude_of(ping, sonar.config);
+  out.altitude = altitude_by_truth(ping, sonar.config).value_or(0);
   return out;
 }
 

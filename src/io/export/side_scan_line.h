@@ -20,7 +20,7 @@ struct SideScanSonar {
   ReceiverConfig receiver;
   double sound_speed = 0;  ///< Converts time to range [m/s].
   double ping_period = 0;  ///< Mean time between pings [s]; of a single ping, the time that it takes.
-  int samples = 0;         ///< Of a side. The first begins at range 0: bins before min_range are 0.
+  int samples = 0;         ///< Samples of one side. The first begins at range 0: bins before min_range are 0.
   bool counts = false;     ///< Whether samples are the instrument's counts, else amplitudes times 2^weight.
   int weight = 0;          ///< Amplitude, the square root of intensity, is a sample times 2^-weight.
 

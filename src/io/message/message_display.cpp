@@ -83,7 +83,7 @@ std::vector<CloudPoint> strong_points(const Ping& ping, const std::vector<float>
                                       double share, bool true_elevations) {
   std::vector<CloudPoint> points;
   const float threshold = threshold_of(raised, share);
-  const double middle = sonar.is_side_scan() ? -sonar.depression : sonar.elevation_center;
+  const double middle = sonar.middle_elevation();
   for (int bin = 0; bin < ping.bin_count && threshold > 0; ++bin) {
     for (int beam = 0; beam < ping.beam_count; ++beam) {
       const std::size_t cell = ping.index(bin, beam);
