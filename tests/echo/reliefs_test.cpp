@@ -8,6 +8,7 @@
 #include <cmath>
 #include <memory>
 
+#include "echo/laws/laws.h"
 #include "insonify/mesh.h"
 #include "insonify/scene.h"
 
@@ -217,6 +218,23 @@ TEST(ReliefLanesTest, NormalsAreBentToUnitLength) {
   EXPECT_EQ(z[2], 1);
   EXPECT_NEAR(x[3], -0.6F, kFloat);
   EXPECT_NEAR(z[3], 0.8F, kFloat);
+}
+
+// Sound that grazes at 10 degrees, cot 5.671, on a facet of slope g towards it: 1 + g cot of the solid angle of the
+// flat surface, from none to twice as much.
+TEST(FacetShareTest, FacetsCoverTheViewAsTheyAreTurned) {
+  const double grazing = radians_from_degrees(10);
+  const Vec3 direction(std::cos(grazing), 0, -std::sin(grazing));
+  const auto share = [&](double slope) {
+    const Vec3 gradient(slope, 0.04, 0), bent = (Vec3::UnitZ() - gradient).normalized();
+    return facet_share(triple(gradient), triple(direction), static_cast<float>(bent.dot(direction)));
+  };
+  EXPECT_NEAR(share(0), 1, 1e-5);
+  EXPECT_NEAR(share(0.1), 1.5671, 1e-4);
+  EXPECT_NEAR(share(-0.1), 0.4329, 1e-4);
+  EXPECT_NEAR(share(-0.17), 0.0359, 1e-4);
+  EXPECT_EQ(share(-0.3), 0);
+  EXPECT_EQ(share(0.3), 2);
 }
 
 }  // namespace

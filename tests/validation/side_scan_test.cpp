@@ -320,6 +320,54 @@ TEST(SideScanCoarseBinsTest, HoldTheLevelOfTheBedWhateverTheyKeep) {
               db(1 + 1 / 2.0 + 1 / 3.0 + 1 / 4.0 + 1 / 5.0 + 1 / 6.0 + 1 / 7.0 + 1 / 8.0), 0.4);
 }
 
+// The leak covers the first bins; they have no part in the share of both sides that is full.
+TEST(SideScanReceiverTest, TheLeakHasNoPartInFullScale) {
+  Scenario scenario = with_lines();
+  scenario.receiver.noise = scenario.receiver.counts = true;
+  scenario.receiver.full_scale_share = 0.05;
+  scenario.sonars[0].leak_db = 30;
+  scenario.sonars[0].ring_down = 5e4;
+  const Ping ping = ping_over(scenario, seabed_at(-kAltitude, diffuse(-23)), Vec3::Zero());
+  int covered = 0;  // The leak falls steadily to the noise; full scale is that of the bed, from 73 on.
+  while (covered < 60 && ping.counts[ping.index(covered, 0)] == 255) {
+    ++covered;
+  }
+  ASSERT_GT(covered, 10);
+  int full = 0;
+  for (int bin = 60; bin < ping.bin_count; ++bin) {
+    full += (ping.counts[ping.index(bin, 0)] == 255 ? 1 : 0) + (ping.counts[ping.index(bin, 1)] == 255 ? 1 : 0);
+  }
+  EXPECT_NEAR(full, 0.05 * 2 * ping.bin_count, 0.05 * 2 * 60 + 3);
+}
+
+// Full truth of a bed to both sides and a post to port: shares of each cell add up to 1, the strongest is the label.
+TEST(SideScanTruthTest, TablesOfBothSidesStayApart) {
+  Scenario scenario = calibrated(side_scan(), kRays);
+  scenario.ground_truth = GroundTruth::kFull;
+  const Scene scene =
+      scene_of_all({seabed_at(-kAltitude, diffuse(-23)),
+                    scene_of(make_plane(-Vec3::UnitY(), 3, 1.7), diffuse(-23), {.position = {0, 16.2, -6.45}})});
+  const Ping ping = ping_over(scenario, scene, Vec3::Zero());
+  int posts = 0;
+  for (int bin = 95; bin < 400; ++bin) {
+    for (const int side : {0, 1}) {
+      const std::size_t at = ping.index(bin, side);
+      if (ping.path_order[at] == 0) {
+        continue;
+      }
+      double sum = 0;
+      for (int k = 0; k < kStrongestCount; ++k) {
+        sum += double{ping.strongest_share[kStrongestCount * at + k]};
+      }
+      EXPECT_NEAR(sum, 1, 1e-5) << bin << ", " << side;
+      EXPECT_EQ(ping.strongest_instance[kStrongestCount * at], ping.instance[at]);
+      posts += ping.instance[at] == 1 ? 1 : 0;
+      EXPECT_TRUE(side == 0 || ping.instance[at] == 0) << bin;
+    }
+  }
+  EXPECT_GT(posts, 0);
+}
+
 // One noise field for both sides would be the same numbers twice.
 TEST(SideScanReceiverTest, NoiseOfTheSidesDiffers) {
   Scenario scenario = with_lines();
