@@ -227,7 +227,8 @@ TEST(FacetShareTest, FacetsCoverTheViewAsTheyAreTurned) {
   const Vec3 direction(std::cos(grazing), 0, -std::sin(grazing));
   const auto share = [&](double slope) {
     const Vec3 gradient(slope, 0.04, 0), bent = (Vec3::UnitZ() - gradient).normalized();
-    return facet_share(triple(gradient), triple(direction), static_cast<float>(bent.dot(direction)));
+    return facet_share(triple_of(Vec3f(gradient.cast<float>())), triple_of(Vec3f(direction.cast<float>())),
+                       static_cast<float>(bent.dot(direction)));
   };
   EXPECT_NEAR(share(0), 1, 1e-5);
   EXPECT_NEAR(share(0.1), 1.5671, 1e-4);
