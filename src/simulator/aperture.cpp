@@ -99,7 +99,7 @@ SonarConfig config_of(const Scenario& scenario, const SonarConfig& sonar, int in
   SonarConfig config = sonar.aperture(index);
   if (sonar.is_side_scan()) {
     config.receiver = scenario.receiver_of(sonar);
-    config.receiver->beam_shape = BeamShape::kCone;  // Of a line along the track; it passes through straight down.
+    config.receiver->beam_shape = BeamShape::kCone;  // A line along the track has it; it passes through straight down.
     config.receiver->counts = false;
     config.receiver->field = config.receiver->field || (sonar.crosstalk_db && config.receiver->speckle);
   }

@@ -126,7 +126,7 @@ struct BottomTracker::State {
   BottomTrackOptions options;
   RangeCells cells;
   int lead = 0, last = 0;    // First and last cell of the search.
-  std::vector<double> gain;  // [cell] Of the best track that ends there.
+  std::vector<double> gain;  // [cell] Sum of scores of the best track that ends there.
   std::deque<Waiting> waiting;
   std::vector<double> cosines;  // [ping]
   BottomTrack track;

@@ -9,12 +9,12 @@
 namespace insonify {
 namespace {
 
-constexpr double kWindow = 0.03;   // Of all cells.
+constexpr double kWindow = 0.03;   // Share of all cells.
 constexpr int kLeastWindow = 8;    // [cells]
 constexpr int kMedianReach = 3;    // Cells to either side of a running median.
 constexpr int kLeastColumn = 4;    // Shortest water column [cells].
 constexpr double kDeepestDb = 60;  // Below the median level.
-constexpr int kLevelSteps = 64;    // Of the histogram.
+constexpr int kLevelSteps = 64;    // Classes of the histogram.
 constexpr double kLeastSpreadDb = 1;
 
 // Mean intensities of the cells of one beam.

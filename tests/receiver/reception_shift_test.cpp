@@ -60,12 +60,12 @@ TEST(ReceptionShiftTest, PiecesFollowTheEquationsWhileTheSonarTurnsFar) {
   const double listening = 2 * 81 / kSoundSpeed;
   for (const double turn : {-80.0, 7.0, 80.0}) {
     const PingMotion motion{.velocity = {21, -22, 0}, .turn_rate = radians_from_degrees(turn) / listening};
-    // Of 36 000 cells, those at whose edge the pieces' 50 um matter.
+    // 36 000 cells: some have an edge where the pieces' 50 um matter.
     EXPECT_LT(differing(fan(), motion, 1), 40) << turn;
   }
 }
 
-// Of an array that transmits too, whose one beam stands for cells as wide as the fan.
+// A single beam as wide as the fan, by an array that transmits too.
 TEST(ReceptionShiftTest, ArraysThatTransmitTooReceiveMidway) {
   SonarConfig sonar = fan();
   sonar.beam_count = 1;

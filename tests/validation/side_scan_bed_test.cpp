@@ -37,8 +37,8 @@ Ping ping_at(const Scenario& scenario, const Scene& scene, const Pose& pose) {
   return Simulator(scenario, scene, 2).ping(0, request);
 }
 
-constexpr double kLength = 1.3, kHeight = 0.04;  // Of ripples: wavelength, and crest above mean [m].
-constexpr int kSteps = 40, kRipples = 60;        // Of a mesh.
+constexpr double kLength = 1.3, kHeight = 0.04;  // Ripples: wavelength, and crest above mean [m].
+constexpr int kSteps = 40, kRipples = 60;        // Columns of a ripple in the mesh; ripples.
 
 Scene rippled_mesh() {
   HeightGrid grid{

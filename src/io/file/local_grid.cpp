@@ -17,7 +17,7 @@ constexpr double kPole = kEquator * (1 - kFlattening);             // Semi-minor
 constexpr double kEccentricity = kFlattening * (2 - kFlattening);  // e^2
 constexpr double kSecond = kEccentricity / (1 - kEccentricity);    // e'^2
 
-// Of a point of the ellipsoid [m].
+// Coordinates of a point of the ellipsoid, from the middle of the Earth [m].
 std::array<double, 3> earth_centred(double latitude, double longitude) {
   const double sine = std::sin(latitude), cosine = std::cos(latitude);
   const double normal = kEquator / std::sqrt(1 - kEccentricity * sine * sine);

@@ -42,7 +42,7 @@ struct SonarImageFacts {
 struct RawImageFacts {
   float sample_rate = 0;              ///< [Hz]; 0: unknown.
   std::uint32_t first_sample = 0;     ///< Samples from the transmission to the first one.
-  std::vector<float> receive_angles;  ///< Of each beam across the track, from straight down to starboard [rad].
+  std::vector<float> receive_angles;  ///< [beam] Angle across the track, from straight down to starboard [rad].
 };
 
 /// A point of a cloud, in the message's layout.
