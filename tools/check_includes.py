@@ -111,6 +111,8 @@ PUBLIC = {
     "picture.h": "image",
     "channels.h": "image",
     "waterfall.h": "image",
+    "draw_mosaic.h": "image",
+    "mosaic_files.h": "io",
     "ping_request.h": "simulator",
     "scenario.h": "simulator",
     "scenario_requests.h": "simulator",

@@ -44,6 +44,7 @@ int run_program(std::vector<std::string> words) {
   add_replay(program);
   add_info(program);
   add_export(program);
+  add_mosaic(program);
   add_scenes(program);
   add_sonars(program);
   add_describe(program);

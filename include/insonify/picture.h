@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -170,11 +171,17 @@ class ScanView {
   std::vector<std::vector<float>> profiles_;
 };
 
-/// The picture of a sonar's pings, by its product: the fan of the last ping, or the ScanView of all.
+class Waterfall;
+
+/// The picture of a sonar's pings, by its product: the fan of the last ping, the ScanView of all, or the Waterfall of
+/// the last 600.
 class ProductView {
  public:
   /// @throws Error as ScanView does.
   explicit ProductView(const SonarConfig& sonar);
+  ~ProductView();
+  ProductView(ProductView&&) noexcept;
+  ProductView& operator=(ProductView&&) noexcept;
   /// @throws Error as ScanView does.
   void add(const Ping& ping);
   /// insonify::fitting_full_scale() of what is shown.
@@ -183,8 +190,9 @@ class ProductView {
 
  private:
   SonarConfig sonar_;
-  Ping last_;                     // The last ping, for sonars whose pings are images.
-  std::optional<ScanView> scan_;  // The picture so far, for sonars whose pings are lines.
+  Ping last_;                             // The last ping, for sonars whose pings are images.
+  std::optional<ScanView> scan_;          // The picture so far, for sonars whose pings are lines.
+  std::unique_ptr<Waterfall> waterfall_;  // The last pings, for side-scan sonars.
 };
 
 }  // namespace insonify

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "insonify/receiver_config.h"
 #include "insonify/similarity.h"
 #include "insonify/sonar_config.h"
+#include "insonify/survey/geographic.h"
 
 namespace insonify {
 
@@ -67,6 +69,13 @@ class RecordedPings {
 
   /// What a foreign file does not say and its settings assume: "no sound speed in it, 1500 m/s is assumed".
   [[nodiscard]] std::vector<std::string> assumed() const;
+
+  /// Altitude that the instrument has stored with a ping, as XTF does [m]; none without, and where it is 0.
+  /// @throws Error with the path if the file cannot be read.
+  [[nodiscard]] std::optional<double> altitude(std::uint64_t ping) const;
+
+  /// Origin of the world on the Earth, of files that say it; the world's x is east, its y north.
+  [[nodiscard]] std::optional<Geographic> origin() const;
 
   /// The greatest count of the instrument, 2^bits - 1; 0 for a recording without counts (ReceiverConfig::counts).
   [[nodiscard]] double greatest_count() const;

@@ -49,6 +49,7 @@ from ._insonify import (
     preset_names,
     scene_names,
     similarity,
+    survey,
     write_png,
 )
 from . import _scene as _scene
@@ -116,6 +117,7 @@ __all__ = [
     "Scene",
     "SeaSurface",
     "similarity",
+    "survey",
     "PingRequest",
     "Simulator",
     "SonarConfig",

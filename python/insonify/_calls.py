@@ -116,5 +116,5 @@ def explain_refusals(owner: Any) -> None:
             setattr(owner, name, _explained(member, owner.__name__ if is_init else name, bound))
 
 
-for _module in (_insonify, _insonify.acoustics, _insonify.similarity):
+for _module in (_insonify, _insonify.acoustics, _insonify.similarity, _insonify.survey):
     explain_refusals(_module)

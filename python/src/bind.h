@@ -55,6 +55,7 @@ void bind_recording(py::module_& module);
 void bind_pictures(py::module_& module);
 void bind_acoustics(py::module_& module);
 void bind_similarity(py::module_& module);
+void bind_survey(py::module_& module);
 void bind_export(py::module_& module);
 
 /// Passes warnings to Python's `warnings`, as insonify.Warning; drops informational messages.

@@ -94,9 +94,11 @@ PYBIND11_MODULE(_insonify, module) {
   bind_pictures(module);
   bind_acoustics(module);
   bind_similarity(module);
+  bind_survey(module);
   bind_export(module);
   bind_end();
   guard_classes(module);
   guard_classes(module.attr("acoustics"));
   guard_classes(module.attr("similarity"));
+  guard_classes(module.attr("survey"));
 }

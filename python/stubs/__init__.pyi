@@ -10,6 +10,7 @@ import numpy.typing as npt
 from .._layers import RecordedLayer
 from . import acoustics as acoustics
 from . import similarity as similarity
+from . import survey as survey
 
 _Path = Union[str, "os.PathLike[str]"]
 # A position, a 4 x 4 matrix, a pair (position, quaternion w x y z), these seven numbers in a row, or a Pose.

@@ -2,12 +2,15 @@
 
 #include "image/plot.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "image/colours.h"
 #include "image/scales.h"
+#include "insonify/error.h"
 
 namespace insonify {
 namespace {
@@ -45,15 +48,19 @@ int stride_of_labels(const std::vector<AxisTick>& ticks, int main, const Letteri
   return stride;
 }
 
-// Mean of the cells from..to; the first and last cell are weighted by the fraction that is included.
+// Mean of the cells from..to that are not NaN; the first and last cell are weighted by the fraction that is included.
 double mean_within(std::span<const float> cells, double from, double to) {
-  double sum = 0;
+  double sum = 0, weight = 0;
   const auto last = std::min(cells.size(), static_cast<std::size_t>(std::ceil(to)));
   for (auto i = static_cast<std::size_t>(from); i < last; ++i) {
     const auto cell = static_cast<double>(i);
-    sum += static_cast<double>(cells[i]) * (std::min(to, cell + 1) - std::max(from, cell));
+    const double share = std::min(to, cell + 1) - std::max(from, cell);
+    if (!std::isnan(cells[i])) {
+      sum += static_cast<double>(cells[i]) * share;
+      weight += share;
+    }
   }
-  return sum / (to - from);
+  return sum / weight;
 }
 
 // Paints one column of the plot's pixels from the bins of a profile.
@@ -61,12 +68,12 @@ void paint_column(Picture& picture, const PlotLayout& plot, int x, std::span<con
   const int rows = plot.bottom - plot.top;
   const double step = static_cast<double>(profile.size()) / rows;
   for (int row = 0; row < rows; ++row) {
-    const Rgb shown = profile.empty() ? palette::kNotYetSeen : tone(mean_within(profile, row * step, (row + 1) * step));
-    put(picture, x, plot.bottom - 1 - row, shown);
+    const double mean = profile.empty() ? std::nan("") : mean_within(profile, row * step, (row + 1) * step);
+    put(picture, x, plot.bottom - 1 - row, std::isnan(mean) ? palette::kNotYetSeen : tone(mean));
   }
 }
 
-void draw_plot_frame(Picture& picture, const PlotLayout& plot, const PlotAxes& axes, const Page& page) {
+void draw_plot_frame(Picture& picture, const PlotLayout& plot, const PlotAxes& axes, const Page& page, bool bar) {
   const Lettering& lettering = page.lettering();
   const double em = page.em();
   const double line = page.hairline();
@@ -103,8 +110,21 @@ void draw_plot_frame(Picture& picture, const PlotLayout& plot, const PlotAxes& a
                          axes.up_caption, palette::kText);
   lettering.draw(picture, {(plot.left + plot.right) / 2.0, picture.height - page.margin() - lettering.height() / 2},
                  axes.across_caption, palette::kText);
-  page.draw_bar(picture, plot.top, plot.bottom);
+  if (bar) {
+    page.draw_bar(picture, plot.top, plot.bottom);
+  }
   page.draw_title(picture);
+}
+
+// Rows of pixels of a plot of a shape.
+int rows_of_shape(double shape, int width) {
+  constexpr double kLeast = 16, kMost = 8192;
+  const double rows = std::round(shape * width);
+  if (rows > kMost) {
+    throw Error(fmt::format("the picture would be {:.0f} pixels high, to scale at a width of {}; the most is {}", rows,
+                            width, kMost));
+  }
+  return static_cast<int>(std::max(rows, kLeast));
 }
 
 }  // namespace
@@ -118,7 +138,7 @@ std::vector<AxisTick> range_ticks(const SonarConfig& sonar) {
   return ticks;
 }
 
-PlotLayout lay_out_plot(const PlotAxes& axes, Page& page, int height) {
+PlotLayout lay_out_plot(const PlotAxes& axes, Page& page, int height, double shape, bool fits_height) {
   const Lettering& lettering = page.lettering();
   const double em = page.em();
   const double beside = (kTickLength + kTextGap) * em;
@@ -129,30 +149,41 @@ PlotLayout lay_out_plot(const PlotAxes& axes, Page& page, int height) {
       std::ceil(page.margin() + lettering.height() + kCaptionGap * em + widest_text(lettering, axes.up) + beside));
   plot.right = plot.width - static_cast<int>(std::ceil(page.bar_width() + kBarGap * em));
   plot.top = static_cast<int>(std::ceil(page.title_height() + 1.2 * page.margin()));
-  plot.bottom =
-      height - static_cast<int>(std::ceil(page.margin() + 2 * lettering.height() + kCaptionGap * em + beside));
+  const int below = static_cast<int>(std::ceil(page.margin() + 2 * lettering.height() + kCaptionGap * em + beside));
+  const int room = height - below - plot.top, narrow = static_cast<int>(room / std::max(shape, 1e-9));
+  if (fits_height && shape > 0 && narrow < plot.right - plot.left) {
+    const int cut = std::min(plot.right - plot.left - std::max(narrow, 16),
+                             plot.width - static_cast<int>(std::ceil(page.least_width())));
+    plot.width -= cut;
+    plot.right = plot.left + std::max(narrow, 16);
+  }
+  plot.bottom = shape > 0 ? plot.top + rows_of_shape(shape, plot.right - plot.left) : height - below;
+  plot.height = plot.bottom + below;
   return plot;
 }
 
-PlotLayout bare_plot(const Display& display, int columns, int bins) {
+PlotLayout bare_plot(const Display& display, int columns, int bins, double shape) {
   const int width = display.pixel_per_bin ? columns : static_cast<int>(std::lround(kShape * display.height));
-  const int height = display.pixel_per_bin ? bins : display.height;
+  const int height = shape > 0 ? rows_of_shape(shape, width) : display.pixel_per_bin ? bins : display.height;
   return {width, height, 0, 0, width, height};
 }
 
 Picture plot_picture(const Display& display, const Heading& heading, const PlotAxes& axes, int columns, int bins,
-                     const ProfileAt& profile_at) {
+                     const ProfileAt& profile_at, const PlotStyle& style) {
   Page page(display, heading);
-  const PlotLayout plot =
-      display.annotations ? lay_out_plot(axes, page, display.height) : bare_plot(display, columns, bins);
+  const PlotLayout plot = display.annotations ? lay_out_plot(axes, page, display.height, style.shape, style.fits_height)
+                                              : bare_plot(display, columns, bins, style.shape);
   Picture picture = blank_picture(plot.width, plot.height, palette::kBackground);
   const Tone tone(display);
   const int width = plot.right - plot.left;
   for (int x = 0; x < width; ++x) {
     paint_column(picture, plot, plot.left + x, profile_at(x, width), tone);
   }
+  if (style.over) {
+    style.over(picture, plot, page.hairline());
+  }
   if (display.annotations) {
-    draw_plot_frame(picture, plot, axes, page);
+    draw_plot_frame(picture, plot, axes, page, style.bar);
   }
   return picture;
 }

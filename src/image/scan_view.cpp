@@ -14,6 +14,7 @@
 #include "image/scan_slots.h"
 #include "insonify/error.h"
 #include "insonify/printable.h"
+#include "insonify/waterfall.h"
 #include "receiver/ping_table.h"
 
 namespace insonify {
@@ -166,25 +167,38 @@ NumberPicture ScanView::draw_polar_numbers(const std::vector<std::vector<std::ui
 }
 
 ProductView::ProductView(const SonarConfig& sonar) : sonar_(sonar) {
+  constexpr std::size_t kRows = 600;  // Of a waterfall that scrolls.
   if (sonar.product() == Product::kLine) {
     scan_.emplace(sonar);
+  } else if (sonar.product() == Product::kWaterfall) {
+    waterfall_ = std::make_unique<Waterfall>(sonar, WaterfallOptions(), kRows);
   }
 }
+
+ProductView::~ProductView() = default;
+ProductView::ProductView(ProductView&&) noexcept = default;
+ProductView& ProductView::operator=(ProductView&&) noexcept = default;
 
 void ProductView::add(const Ping& ping) {
   if (scan_) {
     scan_->add(ping);
+  } else if (waterfall_ != nullptr) {
+    waterfall_->add(ping);
   } else {
     last_ = ping;
   }
 }
 
 double ProductView::fitting_full_scale() const {
-  return scan_ ? scan_->fitting_full_scale() : insonify::fitting_full_scale(intensities_to_fit(last_, sonar_));
+  return scan_                   ? scan_->fitting_full_scale()
+         : waterfall_ != nullptr ? waterfall_->fitting_full_scale()
+                                 : insonify::fitting_full_scale(intensities_to_fit(last_, sonar_));
 }
 
 Picture ProductView::draw(const Display& display) const {
-  return scan_ ? scan_->draw(display) : draw_fan(last_, sonar_, display);
+  return scan_                   ? scan_->draw(display)
+         : waterfall_ != nullptr ? waterfall_->draw(display)
+                                 : draw_fan(last_, sonar_, display);
 }
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// waterfall.cpp -- draws pings of one beam as columns, averaged where there are more of them than pixels.
+// waterfall.cpp -- draws pings as rows from port to starboard, the newest at the top.
 
 #include "insonify/waterfall.h"
 
@@ -6,64 +6,197 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "image/colours.h"
 #include "image/plot.h"
 #include "image/scales.h"
+#include "image/waterfall_rows.h"
 #include "insonify/error.h"
 #include "insonify/printable.h"
-#include "receiver/ping_table.h"
+#include "survey/checks.h"
 
 namespace insonify {
 namespace {
 
-// Ticks at the middle of round places among the pings, named by their numbers.
-std::vector<AxisTick> ping_ticks(const std::vector<std::uint64_t>& numbers) {
-  constexpr int kMostParts = 8;
-  const auto count = static_cast<double>(numbers.size());
+// What lies along the track, the oldest ping at 0, the end of the newest at 1.
+class Along {
+ public:
+  Along(const std::deque<Ping>& pings, const SonarConfig& sonar, const WaterfallOptions& options)
+      : distances_(distances_along(pings)), to_scale_(options.to_scale) {
+    const auto count = static_cast<double>(pings.size());
+    length_ = count > 1 ? distances_.back() * count / (count - 1) : 0;
+    if (to_scale_ && !(length_ > 0)) {
+      throw Error(fmt::format("{}: to scale needs a sonar that has moved along its track", sonar.name));
+    }
+    for (std::size_t ping = 0; ping < pings.size(); ++ping) {
+      values_.push_back(options.along == AlongTrack::kPing   ? static_cast<double>(pings[ping].number)
+                        : options.along == AlongTrack::kTime ? pings[ping].time
+                                                             : distances_[ping]);
+    }
+  }
+
+  [[nodiscard]] double length() const { return length_; }  // [m]
+
+  // The ping at a share of the axis.
+  [[nodiscard]] std::size_t ping_at(double place) const {
+    if (to_scale_) {
+      const auto next = std::ranges::upper_bound(distances_, place * length_);
+      return static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, next - distances_.begin() - 1));
+    }
+    return std::min(distances_.size() - 1, static_cast<std::size_t>(place * static_cast<double>(distances_.size())));
+  }
+
+  // The middle of a ping's row.
+  [[nodiscard]] double place_of(std::size_t ping) const {
+    return to_scale_ ? distances_[ping] / length_
+                     : (static_cast<double>(ping) + 0.5) / static_cast<double>(distances_.size());
+  }
+
+  [[nodiscard]] std::vector<AxisTick> ticks() const {
+    constexpr int kMostParts = 8;
+    std::vector<AxisTick> ticks;
+    const double window = values_.back() - values_.front();
+    if (!(window > 0)) {
+      return {{place_of(0), number_text(values_.front()), true}};
+    }
+    for (const double value : multiples_within(values_.front(), values_.back(), nice_step(window, kMostParts))) {
+      const auto next = std::ranges::lower_bound(values_, value * (1 - 1e-12));
+      const auto ping =
+          static_cast<std::size_t>(std::min(next - values_.begin(), static_cast<std::ptrdiff_t>(values_.size()) - 1));
+      ticks.push_back({place_of(ping), fmt::format("{:.12g}", value), ticks.empty()});
+    }
+    return ticks;
+  }
+
+ private:
+  std::vector<double> distances_, values_;
+  double length_ = 0;
+  bool to_scale_;
+};
+
+// Ranges to both sides, 0 in the middle.
+std::vector<AxisTick> side_ticks(const WaterfallRows& rows) {
   std::vector<AxisTick> ticks;
-  for (const double place : multiples_within(0, count - 1, std::max(1.0, nice_step(count, kMostParts)))) {
-    const auto index = static_cast<std::size_t>(std::lround(place));
-    ticks.push_back({(place + 0.5) / count, fmt::format("{}", numbers[index]), index == 0});
+  const double port = rows.port_cells * rows.cell, starboard = rows.starboard_cells * rows.cell;
+  for (const double range : multiples_within(-port, starboard, ring_step(std::max(port, starboard)))) {
+    ticks.push_back({(range + port) / (port + starboard), number_text(std::abs(range)), range == 0});
   }
   return ticks;
 }
 
-}  // namespace
+std::string across_caption(const WaterfallRows& rows, bool corrected, bool sideways) {
+  if (!sideways) {
+    return "range (m)";
+  }
+  return fmt::format("{}{} range (m){}", rows.port_cells > 0 ? "port   " : "", corrected ? "ground" : "slant",
+                     rows.starboard_cells > 0 ? "   starboard" : "");
+}
 
-Waterfall::Waterfall(const SonarConfig& sonar) : sonar_(sonar) {
-  if (sonar.beam_count != 1) {
-    throw Error(fmt::format("{} has {}: a waterfall must have one", sonar.name, counted(sonar.beam_count, "beam")));
+// Mean of a row's cells from..to that hold something; NaN without any.
+float mean_of_cells(const std::vector<float>& row, double from, double to) {
+  double sum = 0, weight = 0;
+  const auto last = std::min(row.size(), static_cast<std::size_t>(std::ceil(to)));
+  for (auto cell = static_cast<std::size_t>(from); cell < last; ++cell) {
+    const double share = std::min(to, static_cast<double>(cell) + 1) - std::max(from, static_cast<double>(cell));
+    if (!std::isnan(row[cell])) {
+      sum += share * double{row[cell]};
+      weight += share;
+    }
+  }
+  return weight > 0 ? static_cast<float>(sum / weight) : std::numeric_limits<float>::quiet_NaN();
+}
+
+// The first return of each side, where the bottom is in sight.
+void draw_altitudes(Picture& picture, const PlotLayout& plot, const WaterfallRows& rows, const Along& along,
+                    double hairline) {
+  const std::size_t sides = rows.first_return.size() / rows.rows.size();
+  const int height = plot.bottom - plot.top;
+  for (std::size_t side = 0; side < sides; ++side) {
+    const int sign = side == 0 && rows.port_cells > 0 ? -1 : 1;
+    double last = std::nan("");
+    for (int y = 0; y < height; ++y) {
+      const double range = rows.first_return[along.ping_at(1 - (y + 0.5) / height) * sides + side];
+      const double x =
+          plot.left + (rows.port_cells + sign * range / rows.cell) / rows.cells() * (plot.right - plot.left);
+      if (!std::isnan(last) && !std::isnan(x)) {
+        draw_line(picture, {last, plot.top + y - 0.5}, {x, plot.top + y + 0.5}, 1.5 * hairline, palette::kHead);
+      }
+      last = x;
+    }
   }
 }
 
+}  // namespace
+
+Waterfall::Waterfall(const SonarConfig& sonar, WaterfallOptions options, std::size_t most_pings)
+    : sonar_(sonar), options_(std::move(options)), most_(most_pings) {
+  check_side_looking(sonar);
+}
+
 void Waterfall::add(const Ping& ping) {
-  check_ping(ping, sonar_);
-  profiles_.push_back(clean_intensities(ping));
-  numbers_.push_back(ping.number);
-  last_time_ = ping.time;
+  check_line_ping(ping, sonar_);
+  Ping shown;
+  shown.number = ping.number;
+  shown.time = ping.time;
+  shown.world_from_sonar = ping.world_from_sonar;
+  shown.bin_count = ping.bin_count;
+  shown.beam_count = ping.beam_count;
+  shown.intensity = ping.intensity;
+  pings_.push_back(std::move(shown));
+  if (most_ > 0 && pings_.size() > most_) {
+    pings_.pop_front();
+  }
+}
+
+double Waterfall::fitting_full_scale() const {
+  WaterfallOptions shown = options_;
+  shown.altitude_line = false;
+  std::vector<float> all;
+  for (const std::vector<float>& row : waterfall_rows(pings_, sonar_, shown).rows) {
+    all.insert(all.end(), row.begin(), row.end());
+  }
+  return insonify::fitting_full_scale(std::move(all));
 }
 
 Picture Waterfall::draw(const Display& display) const {
   display.validate();
-  if (profiles_.empty()) {
+  if (pings_.empty()) {
     throw Error(fmt::format("{}: a waterfall must have at least one ping", sonar_.name));
   }
-  const PlotAxes axes{ping_ticks(numbers_), range_ticks(sonar_), "ping", "range (m)"};
-  std::vector<float> mean;
+  const Along along(pings_, sonar_, options_);
+  WaterfallOptions shown = options_;
+  shown.altitude_line = options_.altitude_line && !options_.corrected && display.annotations;
+  const WaterfallRows rows = waterfall_rows(pings_, sonar_, shown);
+  const char* const captions[] = {"ping", "time (s)", "distance (m)"};
+  const PlotAxes axes{
+      side_ticks(rows), along.ticks(),
+      across_caption(rows, options_.corrected, std::abs(sonar_.beam_azimuth(0)) > radians_from_degrees(45)),
+      captions[static_cast<int>(options_.along)]};
+  // Steps along the track, those of the plot's bins.
+  const int steps =
+      options_.to_scale ? std::max<int>(8192, static_cast<int>(pings_.size())) : static_cast<int>(pings_.size());
+  std::vector<float> means(pings_.size()), profile(static_cast<std::size_t>(steps));
+  PlotStyle style;
+  style.shape = options_.to_scale ? along.length() / (rows.cells() * rows.cell) : 0;
+  style.over = [&](Picture& picture, const PlotLayout& plot, double hairline) {
+    if (shown.altitude_line) {
+      draw_altitudes(picture, plot, rows, along, hairline);
+    }
+  };
   return plot_picture(
-      display, heading_of(sonar_, counted(profiles_.size(), "ping"), last_time_), axes,
-      static_cast<int>(profiles_.size()), sonar_.bin_count, [&](int x, int width) {
-        const double step = static_cast<double>(profiles_.size()) / width;
-        const auto first = static_cast<std::size_t>(x * step);
-        const auto end = std::clamp(static_cast<std::size_t>((x + 1) * step), first + 1, profiles_.size());
-        mean.assign(profiles_[first].size(), 0);
-        for (std::size_t ping = first; ping < end; ++ping) {
-          std::ranges::transform(mean, profiles_[ping], mean.begin(),
-                                 [&](float sum, float value) { return sum + value / static_cast<float>(end - first); });
+      display, heading_of(sonar_, counted(pings_.size(), "ping"), pings_.back().time), axes, rows.cells(), steps,
+      [&](int x, int width) {
+        const double step = static_cast<double>(rows.cells()) / width;
+        std::ranges::transform(rows.rows, means.begin(), [&](const std::vector<float>& row) {
+          return mean_of_cells(row, x * step, (x + 1) * step);
+        });
+        for (int i = 0; i < steps; ++i) {
+          profile[i] = means[along.ping_at((i + 0.5) / steps)];
         }
-        return std::span<const float>(mean);
-      });
+        return std::span<const float>(profile);
+      },
+      style);
 }
 
 }  // namespace insonify

@@ -141,7 +141,11 @@ std::vector<float> edge_scores(const std::vector<float>& levels, const RangeCell
 int foot_of_edge(const std::vector<float>& levels, const RangeCells& cells, int lead, int edge) {
   constexpr double kDeviations = 4, kLeastRiseDb = 2;
   const int column_end = std::max(edge - cells.window, std::min(edge, lead + kLeastColumn));
-  const Moments column = RunningSums(levels).within(std::max(lead, edge - 3 * cells.window), column_end);
+  const int column_begin = std::max(lead, edge - 3 * cells.window);
+  if (column_end <= column_begin) {
+    return edge;
+  }
+  const Moments column = RunningSums(levels).within(column_begin, column_end);
   const double bottom = column.mean + std::max(kDeviations * column.deviation, kLeastRiseDb);
   int foot = std::min(cells.count - 1, edge + cells.window / 2);  // The rise may be slow: its middle is not all of it.
   while (foot > edge && double{levels[foot]} <= bottom) {

@@ -41,7 +41,7 @@ class TypesTest(unittest.TestCase):
             done = run(sys.executable, SOURCES / "tools/make_python_stubs.py", SOURCES / "python/stubs", folder)
             self.assertEqual(done.returncode, 0, done.stderr)
             made = sorted(pathlib.Path(folder).glob("*.pyi"))
-            self.assertEqual([path.name for path in made], ["__init__.pyi", "acoustics.pyi", "similarity.pyi"])
+            self.assertEqual([path.name for path in made], ["__init__.pyi", "acoustics.pyi", "similarity.pyi", "survey.pyi"])
             for path in made:
                 self.assertEqual(path.read_text(), (PACKAGE / "_insonify" / path.name).read_text(), path.name)
         self.assertTrue((PACKAGE / "py.typed").exists())
@@ -49,7 +49,7 @@ class TypesTest(unittest.TestCase):
     def test_every_public_name_and_attribute_is_in_them(self):
         # stubtest looks for attributes of classes in both; names of modules it compares by __all__, which ours lack.
         for module, stub in ((insonify._insonify, "__init__"), (insonify.acoustics, "acoustics"),
-                             (insonify.similarity, "similarity")):
+                             (insonify.similarity, "similarity"), (insonify.survey, "survey")):
             text = (PACKAGE / f"_insonify/{stub}.pyi").read_text()
             for name in vars(module):
                 if not name.startswith("_"):

@@ -54,6 +54,7 @@ TEST(BottomTrackTest, FollowsItThroughNoiseOfATenthOfTheBed) {
 TEST(BottomTrackTest, OneSideIsEnough) {
   SonarConfig sonar = side_scan_sonar();
   sonar.beam_count = 1;
+  sonar.type = SonarType::kForwardLooking;
   sonar.beam_azimuths = {-std::numbers::pi / 2};
   expect_altitudes(track_bottom(line_of(sonar, 60, 30), sonar));
 }

@@ -16,9 +16,8 @@ inline SonarConfig side_scan_sonar() {
   SonarConfig sonar;
   sonar.name = "sss";
   sonar.beam_count = 2;
-  sonar.beam_azimuths = {std::numbers::pi / 2, -std::numbers::pi / 2};
-  sonar.beam_widths = {radians_from_degrees(1)};
-  sonar.azimuth_aperture = radians_from_degrees(181);
+  sonar.type = SonarType::kSideScan;
+  sonar.azimuth_aperture = radians_from_degrees(1);
   sonar.min_range = 0;
   sonar.max_range = 40;
   sonar.bin_count = 800;

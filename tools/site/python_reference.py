@@ -27,6 +27,7 @@ GROUPS = {
                "load_trajectory", "Motion", "Interferer", "Thruster", "PaperModel", "ViewConfig"]),
     "acoustics": ("Formulas of acoustics", "", []),
     "similarity": ("Measures of similarity", "", []),
+    "survey": ("Products of side-scan lines", "", []),
 }
 SIGNATURE = re.compile(r"^\w+\(.*\)( -> .*)?$")
 NAMED = re.compile(r"^([\w, *]{1,60}): (.*)$")

@@ -134,6 +134,9 @@ Recorded open_recording(const DrawOptions& options) {
                              ? foreign_style(options, pings, choice)
                              : picture_style(options.pictures, model_of(pings, file), pings.receiver_config(), sonar);
     style.mask_bits = labels ? labels->bits() : 0;
+    if (is_side_looking(sonar)) {
+      style.waterfall_options.altitudes = altitudes_of(options.pictures.line, pings, file, options.sonar);
+    }
     if (!is_foreign(pings) && style.display.of_counts && pings.greatest_count() == 0) {
       throw InputError(fmt::format(
           "{}: --counts: there are none in it; MCAP recordings hold levels only, HDF5 ones both", file.string()));
@@ -175,7 +178,8 @@ Ping ping_of(const Recorded& recorded, std::uint64_t number) {
 void draw_pings(const Recorded& recorded, PingPictures& pictures) {
   const std::uint64_t count = recorded.pings.ping_count();
   const bool scans = recorded.sonar.product() == Product::kLine;
-  const bool side_by_side = recorded.style.waterfall && recorded.sonar.beam_count == 1;
+  const bool side_by_side =
+      recorded.sonar.product() == Product::kWaterfall || (recorded.style.waterfall && recorded.sonar.beam_count == 1);
   const bool all = scans || (side_by_side && recorded.choice.only.empty());
   for (std::uint64_t number = 0; number < count; ++number) {
     if (all || (number == 0 && !side_by_side) || recorded.choice.takes(number, count)) {
@@ -248,6 +252,7 @@ void add_draw_options(const Command& command, DrawOptions& options) {
   command.flag("-f,--force", &options.force, "Replace existing pictures of this sonar");
   add_picture_options(command.under("Pictures"), options.pictures);
   add_counts_option(command.under("Pictures"), options.pictures);
+  add_waterfall_options(command.under("Waterfalls of side-scan sonars"), options.pictures);
   command.under("Pictures")
       .flag("--plain", &options.pictures.plain, "No title, axes and colour bar; without --height one pixel a bin");
   command.under("Pictures")
@@ -273,6 +278,7 @@ void add_draw(const Command& program) {
       "Examples:\n"
       "  insonify draw out/fls.h5 -o pictures --levels -90:-40\n"
       "  insonify draw dive.raw -o pictures --ping 0\n"
+      "  insonify draw line.xtf -o pictures --corrected --altitude stored --to-scale\n"
       "  insonify draw out/fls.h5 -o plain --plain --pictures all\n"
       "  insonify draw out/fls.h5 -o labelled --masks --height 480 --colour-map grey\n"
       "  insonify draw out/fls.mcap -o pictures --ping 3 --colour-map copper --height 1080");

@@ -27,6 +27,15 @@ void add_picture_options(const Command& command, PictureOptions& options, bool w
                  whole_number(240, 8192));
 }
 
+void add_waterfall_options(const Command& command, PictureOptions& options) {
+  command.flag("--corrected", &options.corrected, "Waterfall on ground ranges of a level bed, not slant ranges");
+  command.flag("--to-scale", &options.to_scale, "Waterfall with as many metres a pixel along the track as across");
+  command.option("--along", "WHAT", &options.along,
+                 "What a waterfall's rows are labelled by: ping, time or distance [ping]",
+                 one_of({"ping", "time", "distance"}));
+  add_line_options(command, options.line);
+}
+
 void add_counts_option(const Command& command, PictureOptions& options) {
   command.flag("--counts", &options.counts,
                "Draw the counts that the instrument delivers (receiver.counts), from 0 to the greatest");
@@ -53,6 +62,13 @@ PictureStyle picture_style(const PictureOptions& options, EchoModel model, const
     display.floor_db = levels->first - levels->second;
   }
   display.validate();
+  style.waterfall_options = {.corrected = options.corrected,
+                             .normalised = options.line.normalised,
+                             .to_scale = options.to_scale,
+                             .along = options.along == "time"       ? AlongTrack::kTime
+                                      : options.along == "distance" ? AlongTrack::kDistance
+                                                                    : AlongTrack::kPing,
+                             .bottom = bottom_options(options.line)};
   return style;
 }
 

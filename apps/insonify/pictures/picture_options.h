@@ -13,6 +13,8 @@
 #include "insonify/picture.h"
 #include "insonify/receiver_config.h"
 #include "insonify/sonar_config.h"
+#include "insonify/waterfall.h"
+#include "pictures/altitudes.h"
 
 namespace insonify {
 
@@ -26,11 +28,19 @@ struct PictureOptions {
   bool counts = false;             ///< Draw counts instead of intensities.
   bool plain = false;              ///< Only the picture itself: no title, axes and colour bar.
   bool masks = false;              ///< Also the labels of each pixel, in the pixels of plain pictures.
+
+  // Waterfalls of side-scan sonars.
+  LineOptions line;
+  bool corrected = false, to_scale = false;  ///< See WaterfallOptions.
+  std::string along = "ping";                ///< ping, time or distance.
 };
 
 /// Adds the options shared by all commands that draw pings.
 /// @param with_scale  Whether there are --scale and --floor-db too.
 void add_picture_options(const Command& command, PictureOptions& options, bool with_scale = true);
+
+/// Adds the options of waterfalls, beside the options above.
+void add_waterfall_options(const Command& command, PictureOptions& options);
 
 /// Adds --counts, beside the options above.
 void add_counts_option(const Command& command, PictureOptions& options);
@@ -41,7 +51,8 @@ struct PictureStyle {
   Display display = {};
   bool fixed_levels = false;  ///< Full scale is given, not fitted to pings.
   bool waterfall = false;     ///< Pings of a single beam that does not turn are drawn side by side.
-  int mask_bits = 0;          ///< Bits of the pixels of masks, which are drawn too; 0: none.
+  WaterfallOptions waterfall_options = {};
+  int mask_bits = 0;  ///< Bits of the pixels of masks, which are drawn too; 0: none.
 };
 
 /// Levels of the calibrated model are decibels with gain by range, unless the receiver has applied such a gain.

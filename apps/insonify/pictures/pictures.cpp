@@ -52,8 +52,8 @@ PingPictures::PingPictures(PictureFolder& folder, const SonarConfig& sonar, cons
       total_(total) {
   if (sonar_.product() == Product::kLine && choice_.most > 0) {
     scan_ = std::make_unique<ScanView>(sonar_);
-  } else if (style.waterfall && sonar_.beam_count == 1) {
-    waterfall_ = std::make_unique<Waterfall>(sonar_);
+  } else if (sonar_.product() == Product::kWaterfall || (style.waterfall && sonar_.beam_count == 1)) {
+    waterfall_ = std::make_unique<Waterfall>(sonar_, style.waterfall_options);
   }
 }
 
@@ -62,7 +62,7 @@ void PingPictures::add(std::size_t /*sonar*/, const Ping& ping) {
     return;
   }
   last_ = shown(ping);
-  if (model_ == EchoModel::kCalibrated && !scaled_ && !fixed_ && scan_ == nullptr) {
+  if (model_ == EchoModel::kCalibrated && !scaled_ && !fixed_ && scan_ == nullptr && waterfall_ == nullptr) {
     display_.full_scale = fitting_full_scale(intensities_to_fit(last_, sonar_));
     scaled_ = true;
   }
@@ -99,6 +99,9 @@ void PingPictures::close() {
   if (scan_ != nullptr && !last_.intensity.empty()) {
     draw_scan("scan", true);
   } else if (waterfall_ != nullptr && !last_.intensity.empty()) {
+    if (!fixed_) {
+      display_.full_scale = waterfall_->fitting_full_scale();
+    }
     write("waterfall", waterfall_->draw(display_));
   } else if (!last_drawn_) {
     draw_fan_of_last();

@@ -31,8 +31,8 @@ struct PictureChoice {
 
 /// Draws one sonar's pings into a folder. For a fan: NAME_polar_0000.png and NAME_fan_0000.png. For a scanning sonar:
 /// NAME_scan_0000.png, the scan up to a ping, and at the end NAME_scan.png and the waterfall NAME_polar.png. For a
-/// single beam that does not turn, if the style asks for it: NAME_waterfall.png, all pings. If the style asks for
-/// masks, NAME_instance_... and NAME_material_... beside each picture of a ping or scan.
+/// side-scan sonar, and if the style asks for it for a single beam that does not turn: NAME_waterfall.png, all pings.
+/// If the style asks for masks, NAME_instance_... and NAME_material_... beside each picture of a ping or scan.
 class PingPictures final : public PingSink {
  public:
   /// In the calibrated model the display may apply gain by range, or be that of counts. Unless the style fixes full

@@ -92,6 +92,7 @@ void add_output_options(const Command& command, RunLine& line) {
   pictures.flag("--channels", &options.channels, "Also draw distance and intensity by direction, at the first ping");
   add_picture_options(pictures, options.pictures);
   add_counts_option(pictures, options.pictures);
+  add_waterfall_options(command.under("Waterfalls of side-scan sonars"), options.pictures);
 }
 
 // The settings and recordings that the line asks for.
@@ -145,6 +146,7 @@ void add_run(const Command& program) {
       "  DIR/NAME_fan_0000.png    each ping as seen from above; NAME_polar_0000.png as a table\n"
       "  DIR/NAME_scan_0000.png   what a scanning sonar has seen up to a ping, instead\n"
       "  DIR/NAME_scan.png        the same at the end; NAME_polar.png its waterfall\n"
+      "  DIR/NAME_waterfall.png   all pings of a side-scan sonar, instead\n"
       "  DIR/NAME_view.png        the scene, with the sonar and its field\n"
       "  DIR/NAME_channels.png    distance and intensity by direction, with --channels\n"
       "Files of an earlier run are replaced only with --force, once the new run has ended.\n\n"

@@ -1,4 +1,4 @@
-// xtf_file.cpp -- finds the side-scan pings of an XTF file, one channel of them.
+// xtf_file.cpp -- finds the side-scan pings of an XTF file: both sides, or one channel of them.
 //
 // eXtended Triton Format, revision 41 (Triton Imaging): a file header of 1024 bytes with six channels, and 1024 more
 // for each eight beyond; then packets, little-endian. A sonar packet has a header of 256 bytes, then for each channel
@@ -21,6 +21,7 @@
 #include "insonify/printable.h"
 #include "io/foreign/file_bytes.h"
 #include "io/foreign/foreign_formats.h"
+#include "io/foreign/xtf_navigation.h"
 
 namespace insonify {
 namespace {
@@ -45,9 +46,16 @@ struct XtfChannel {
   std::uint8_t sample_format = 0;
 };
 
+// A sonar: a port channel and its starboard one, or a single channel.
+struct XtfSonar {
+  std::string name;
+  std::vector<XtfChannel> sides;
+};
+
 struct XtfPing {
-  std::uint64_t at = 0;  // Place of its samples in the file [bytes].
-  double time = 0;       // [s]
+  std::vector<std::uint64_t> at;  // Places of the samples of each side in the file [bytes].
+  double time = 0;                // [s]
+  XtfFix fix = {};
 };
 
 struct XtfPings {
@@ -79,34 +87,56 @@ std::vector<XtfChannel> channels_of(const FileBytes& file) {
   return channels;
 }
 
-std::vector<std::string> side_scans_of(const std::vector<XtfChannel>& channels) {
-  std::vector<std::string> names;
-  for (const XtfChannel& channel : channels) {
-    if (!channel.name.empty()) {
-      names.push_back(channel.name);
-    }
-  }
-  return names;
-}
-
-const XtfChannel& channel_named(const FileBytes& file, const std::vector<XtfChannel>& channels,
-                                const std::string& name) {
-  const std::vector<std::string> names = side_scans_of(channels);
-  if (names.empty()) {
-    throw Error(
-        fmt::format("{}: has no side-scan channel; depths of multibeam sonars are not read", file.path().string()));
-  }
-  if (!name.empty() && std::ranges::find(names, name) == names.end()) {
-    throw Error(
-        fmt::format("{}: has no sonar {}; it has {}", file.path().string(), printable(name), fmt::join(names, ", ")));
-  }
-  const auto found = std::ranges::find(channels, name.empty() ? names.front() : name, &XtfChannel::name);
-  if (found->sample_bytes != 1 && found->sample_bytes != 2 && (found->sample_bytes != 4 || found->sample_format != 5)) {
+void check_samples(const FileBytes& file, const XtfChannel& channel) {
+  if (channel.sample_bytes != 1 && channel.sample_bytes != 2 &&
+      (channel.sample_bytes != 4 || channel.sample_format != 5)) {
     throw Error(
         fmt::format("{}: samples of {} have {} bytes and format {}; those of 1 or 2 bytes are read, and of 4 in "
                     "format 5",
-                    file.path().string(), found->name, found->sample_bytes, found->sample_format));
+                    file.path().string(), channel.name, channel.sample_bytes, channel.sample_format));
   }
+}
+
+// Both sides together where there are two of the same number, `side_scan`, `side_scan2` ...; other channels alone.
+std::vector<XtfSonar> sonars_of(const std::vector<XtfChannel>& channels) {
+  constexpr std::string_view kPort = "port", kStarboard = "starboard";
+  const auto named = [&](const std::string& name) { return std::ranges::find(channels, name, &XtfChannel::name); };
+  std::vector<XtfSonar> sonars;
+  for (const XtfChannel& channel : channels) {
+    const std::string number =
+        channel.name.substr(std::min(channel.name.size(), (channel.is_port ? kPort : kStarboard).size()));
+    const auto port = named(std::string(kPort) + number), starboard = named(std::string(kStarboard) + number);
+    const bool paired =
+        port != channels.end() && starboard != channels.end() && port->sample_bytes == starboard->sample_bytes;
+    const XtfSonar sonar =
+        paired ? XtfSonar{"side_scan" + number, {*port, *starboard}} : XtfSonar{channel.name, {channel}};
+    if (!channel.name.empty() && std::ranges::find(sonars, sonar.name, &XtfSonar::name) == sonars.end()) {
+      sonars.push_back(sonar);
+    }
+  }
+  return sonars;
+}
+
+XtfSonar sonar_named(const FileBytes& file, const std::vector<XtfChannel>& channels, const std::string& name) {
+  std::vector<XtfSonar> sonars = sonars_of(channels);
+  if (sonars.empty()) {
+    throw Error(
+        fmt::format("{}: has no side-scan channel; depths of multibeam sonars are not read", file.path().string()));
+  }
+  std::vector<std::string> names;
+  std::ranges::transform(sonars, std::back_inserter(names), &XtfSonar::name);
+  for (const XtfChannel& channel : channels) {
+    if (!channel.name.empty() && std::ranges::find(names, channel.name) == names.end()) {
+      names.push_back(channel.name);
+      sonars.push_back({channel.name, {channel}});
+    }
+  }
+  const auto found = std::ranges::find(sonars, name.empty() ? names.front() : name, &XtfSonar::name);
+  if (found == sonars.end()) {
+    throw Error(
+        fmt::format("{}: has no sonar {}; it has {}", file.path().string(), printable(name), fmt::join(names, ", ")));
+  }
+  std::ranges::for_each(found->sides, [&](const XtfChannel& channel) { check_samples(file, channel); });
   return *found;
 }
 
@@ -118,15 +148,19 @@ double xtf_time(std::span<const std::uint8_t> head) {
   return 86400 * days + 3600.0 * head[18] + 60.0 * head[19] + head[20] + head[21] / 100.0;
 }
 
-// Finds the channel in a sonar packet that lies whole in the file.
-void take_packet(const FileBytes& file, std::uint64_t at, std::uint64_t size, const XtfChannel& channel,
-                 const std::vector<XtfChannel>& channels, XtfPings& found) {
-  const std::vector<std::uint8_t> head = file.read(at, kPingHeader, "a ping's header");
+// Samples of a channel in a packet.
+struct XtfSamples {
+  std::uint64_t at = 0;  // In the file; 0: the packet has none.
+  std::uint32_t count = 0;
+  double range = 0, frequency = 0;  // [m], [Hz]
+};
+
+// Finds the samples of each side in a sonar packet that lies whole in the file.
+std::vector<XtfSamples> samples_in(const FileBytes& file, std::uint64_t at, std::uint64_t size, int count,
+                                   const XtfSonar& sonar, const std::vector<XtfChannel>& channels) {
+  std::vector<XtfSamples> sides(sonar.sides.size());
   std::uint64_t next = kPingHeader;
-  for (int left = xtf_number<std::uint16_t>(head, 4); left > 0; --left) {
-    if (next + kChannelHeader > size) {
-      break;
-    }
+  for (int left = count; left > 0 && next + kChannelHeader <= size; --left) {
     const std::vector<std::uint8_t> of_channel = file.read(at + next, kChannelHeader, "a channel's header");
     const auto number = xtf_number<std::uint16_t>(of_channel, 0);
     const auto samples = xtf_number<std::uint32_t>(of_channel, 42);
@@ -138,25 +172,43 @@ void take_packet(const FileBytes& file, std::uint64_t at, std::uint64_t size, co
       file.fail(at + next, fmt::format("{} samples of channel {} need {} bytes; the packet has {}", samples, number,
                                        bytes, size - next - kChannelHeader));
     }
-    if (number == channel.number && samples > 0) {
-      const double range = xtf_number<float>(of_channel, 4);
-      if (found.all.empty()) {
-        found.samples = samples;
-        found.slant_range = range;
-        found.frequency = 1000.0 * xtf_number<std::uint16_t>(of_channel, 26);
-      } else if (samples != found.samples || std::abs(range - found.slant_range) > 1e-3 * found.slant_range) {
-        ++found.other_shape;
-        return;
-      }
-      found.all.push_back({at + next + kChannelHeader, xtf_time(head)});
-      return;
+    const auto side = std::ranges::find(sonar.sides, number, &XtfChannel::number);
+    if (side != sonar.sides.end() && samples > 0) {
+      sides[static_cast<std::size_t>(side - sonar.sides.begin())] = {
+          at + next + kChannelHeader, samples, double{xtf_number<float>(of_channel, 4)},
+          1000.0 * xtf_number<std::uint16_t>(of_channel, 26)};
     }
     next += kChannelHeader + bytes;
   }
-  ++found.without;
+  return sides;
 }
 
-XtfPings find_xtf_pings(const FileBytes& file, const XtfChannel& channel, const std::vector<XtfChannel>& channels) {
+// Takes a sonar packet as a ping if it has every side, of the range and length of the first ping.
+void take_packet(const FileBytes& file, std::uint64_t at, std::uint64_t size, const XtfSonar& sonar,
+                 const std::vector<XtfChannel>& channels, XtfPings& found) {
+  const std::vector<std::uint8_t> head = file.read(at, kPingHeader, "a ping's header");
+  const std::vector<XtfSamples> sides = samples_in(file, at, size, xtf_number<std::uint16_t>(head, 4), sonar, channels);
+  if (std::ranges::any_of(sides, [](const XtfSamples& side) { return side.count == 0; })) {
+    ++found.without;
+    return;
+  }
+  if (found.all.empty()) {
+    found.samples = sides.front().count;
+    found.slant_range = sides.front().range;
+    found.frequency = sides.front().frequency;
+  }
+  XtfPing ping{.at = {}, .time = xtf_time(head), .fix = xtf_fix(head)};
+  for (const XtfSamples& side : sides) {
+    if (side.count != found.samples || std::abs(side.range - found.slant_range) > 1e-3 * found.slant_range) {
+      ++found.other_shape;
+      return;
+    }
+    ping.at.push_back(side.at);
+  }
+  found.all.push_back(std::move(ping));
+}
+
+XtfPings find_xtf_pings(const FileBytes& file, const XtfSonar& sonar, const std::vector<XtfChannel>& channels) {
   XtfPings found;
   std::uint64_t at = kFileHeader;
   while (at < 16 * kFileHeader && file.has(at, 2) && file.head(at, 2) != "\xce\xfa") {  // Headers of more channels.
@@ -182,72 +234,99 @@ XtfPings find_xtf_pings(const FileBytes& file, const XtfChannel& channel, const 
     }
     ++found.packets;
     if (head[2] == 0 && size >= kPingHeader) {
-      take_packet(file, at, size, channel, channels, found);
+      take_packet(file, at, size, sonar, channels, found);
     }
     at += size;
   }
   return found;
 }
 
-SonarConfig xtf_sonar(const XtfChannel& channel, const XtfPings& found, ForeignTables& tables) {
-  SonarConfig sonar = foreign_sonar(channel.name, "side-scan");
-  sonar.frequency = found.frequency > 0 ? found.frequency : sonar.frequency;
-  sonar.beam_count = 1;
-  sonar.azimuth_aperture = radians_from_degrees(1);
-  sonar.beam_azimuths = {channel.is_port ? std::numbers::pi / 2 : -std::numbers::pi / 2};
-  sonar.bin_count = static_cast<int>(std::min<std::uint32_t>(found.samples, std::numeric_limits<int>::max()));
-  sonar.max_range = found.slant_range;
+SonarConfig xtf_config(const XtfSonar& sonar, const XtfPings& found, ForeignTables& tables) {
+  SonarConfig config = foreign_sonar(sonar.name, "side-scan");
+  config.frequency = found.frequency > 0 ? found.frequency : config.frequency;
+  config.beam_count = static_cast<int>(sonar.sides.size());
+  config.azimuth_aperture = radians_from_degrees(1);
+  if (sonar.sides.size() == 2) {
+    config.type = SonarType::kSideScan;
+  } else {
+    config.beam_azimuths = {sonar.sides.front().is_port ? std::numbers::pi / 2 : -std::numbers::pi / 2};
+  }
+  config.bin_count = static_cast<int>(std::min<std::uint32_t>(found.samples, std::numeric_limits<int>::max()));
+  config.max_range = found.slant_range;
   if (!(found.slant_range > 0)) {
-    sonar.max_range = kAssumedBin * found.samples;
+    config.max_range = kAssumedBin * found.samples;
     tables.assume(fmt::format("no range in it, bins of {} m are assumed", kAssumedBin));
   }
-  sonar.bits = channel.sample_bytes == 1 ? 8 : 16;
-  return sonar;
+  config.bits = sonar.sides.front().sample_bytes == 1 ? 8 : 16;
+  return config;
 }
 
-// Nearest sample first.
-std::vector<std::byte> xtf_samples(const FileBytes& file, const XtfChannel& channel, std::uint64_t at,
+// Nearest sample first, the sides of each bin together.
+std::vector<std::byte> xtf_samples(const FileBytes& file, const XtfSonar& sonar, const XtfPing& ping,
                                    std::uint32_t samples) {
-  const std::vector<std::uint8_t> stored =
-      file.read(at, std::uint64_t{samples} * channel.sample_bytes, "a channel's samples");
-  std::vector<std::byte> bytes(stored.size());
-  for (std::size_t sample = 0; sample < samples; ++sample) {
-    const std::size_t from = channel.is_port ? samples - 1 - sample : sample;
-    std::memcpy(&bytes[sample * channel.sample_bytes], &stored[from * channel.sample_bytes], channel.sample_bytes);
+  const std::size_t width = sonar.sides.front().sample_bytes, sides = sonar.sides.size();
+  std::vector<std::byte> bytes(width * samples * sides);
+  for (std::size_t side = 0; side < sides; ++side) {
+    const std::vector<std::uint8_t> stored =
+        file.read(ping.at[side], std::uint64_t{samples} * width, "a channel's samples");
+    for (std::size_t sample = 0; sample < samples; ++sample) {
+      const std::size_t from = sonar.sides[side].is_port ? samples - 1 - sample : sample;
+      std::memcpy(&bytes[(sample * sides + side) * width], &stored[from * width], width);
+    }
   }
   return bytes;
 }
 
+// Times, poses and altitudes of the pings.
+void add_heads(ForeignTables& tables, const XtfPings& found, bool degrees) {
+  std::vector<double> times;
+  std::vector<XtfFix> fixes;
+  for (const XtfPing& ping : found.all) {
+    times.push_back(ping.time - found.all.front().time);
+    fixes.push_back(ping.fix);
+  }
+  tables.add_numbers("time", "s", 1, std::move(times));
+  add_navigation(tables, std::move(fixes), degrees);
+}
+
+bool has_degrees(const FileBytes& file) {
+  constexpr std::uint64_t kNavigationUnits = 164;
+  constexpr char kDegrees = 3;
+  return file.head(kNavigationUnits, 1) == std::string(1, kDegrees);
+}
+
 }  // namespace
 
-std::unique_ptr<ForeignTables> open_xtf(const std::filesystem::path& path, const std::string& sonar) {
+std::unique_ptr<ForeignTables> open_xtf(const std::filesystem::path& path, const std::string& name) {
   const auto file = std::make_shared<FileBytes>(path);
   const std::vector<XtfChannel> channels = channels_of(*file);
-  const XtfChannel channel = channel_named(*file, channels, sonar);
-  const auto found = std::make_shared<XtfPings>(find_xtf_pings(*file, channel, channels));
+  const XtfSonar sonar = sonar_named(*file, channels, name);
+  const auto found = std::make_shared<XtfPings>(find_xtf_pings(*file, sonar, channels));
   if (found->all.empty() && found->cut_at) {
     file->fail(*found->cut_at, fmt::format("the first packet is cut off: the file has {} bytes", file->size()));
   }
   if (found->all.empty()) {
     throw Error(
-        fmt::format("{}: has no ping of {} in {}", path.string(), channel.name, counted(found->packets, "packet")));
+        fmt::format("{}: has no ping of {} in {}", path.string(), sonar.name, counted(found->packets, "packet")));
   }
   auto tables = std::make_unique<ForeignTables>(path, "XTF", found->all.size());
-  const SonarConfig config = xtf_sonar(channel, *found, *tables);
-  const char* const type = channel.sample_bytes == 1 ? "|u1" : channel.sample_bytes == 2 ? "<u2" : "<f4";
-  tables->add("intensity", type, {found->samples, 1}, true, "1", [file, channel, found](std::uint64_t ping) {
-    return xtf_samples(*file, channel, found->all[ping].at, found->samples);
-  });
-  std::vector<double> times;
-  for (const XtfPing& ping : found->all) {
-    times.push_back(ping.time - found->all.front().time);
-  }
-  tables->add_numbers("time", "s", 1, std::move(times));
+  const SonarConfig config = xtf_config(sonar, *found, *tables);
+  const std::uint16_t sample_bytes = sonar.sides.front().sample_bytes;
+  tables->add("intensity",
+              sample_bytes == 1   ? "|u1"
+              : sample_bytes == 2 ? "<u2"
+                                  : "<f4",
+              {found->samples, sonar.sides.size()}, true, "1", [file, sonar, found](std::uint64_t ping) {
+                return xtf_samples(*file, sonar, found->all[ping], found->samples);
+              });
+  add_heads(*tables, *found, has_degrees(*file));
   tables->describe(config);
-  const std::vector<std::string> names = side_scans_of(channels);
+  std::vector<std::string> names;
+  const std::vector<XtfSonar> sonars = sonars_of(channels);
+  std::ranges::transform(sonars, std::back_inserter(names), &XtfSonar::name);
   tables->set_attribute("sonars", names);
-  if (sonar.empty() && names.size() > 1) {
-    tables->note(fmt::format("has {}; {} is taken, --sonar takes another", fmt::join(names, ", "), channel.name));
+  if (name.empty() && names.size() > 1) {
+    tables->note(fmt::format("has {}; {} is taken, --sonar takes another", fmt::join(names, ", "), sonar.name));
   }
   if (found->other_shape > 0) {
     tables->note(fmt::format("{} of another range or number of samples than the first left out",

@@ -154,6 +154,26 @@ std::vector<std::string> RecordedPings::assumed() const {
   return state_->texts("assumed");
 }
 
+std::optional<double> RecordedPings::altitude(std::uint64_t ping) const {
+  if (state_->tables->find("altitude") == nullptr) {
+    return std::nullopt;
+  }
+  const double altitude = state_->row("altitude", ping, 1)[0];
+  return altitude > 0 ? std::optional(altitude) : std::nullopt;
+}
+
+std::optional<Geographic> RecordedPings::origin() const {
+  const nlohmann::json& attributes = state_->tables->attributes();
+  const auto found = attributes.find("origin");
+  if (found == attributes.end() || !found->is_array() || found->size() != 2 || !found->at(0).is_number() ||
+      !found->at(1).is_number()) {
+    return std::nullopt;
+  }
+  const Geographic origin{found->at(0).get<double>(), found->at(1).get<double>()};
+  check_origin(origin);
+  return origin;
+}
+
 double RecordedPings::greatest_count() const {
   return state_->tables->find("counts") != nullptr ? std::ldexp(1, sonar_config().bits) - 1 : 0;
 }

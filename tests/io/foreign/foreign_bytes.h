@@ -143,6 +143,7 @@ struct XtfBytes {
   std::uint32_t samples = 3;
   float range = 30;
   std::uint8_t second = 5;
+  std::array<double, 7> fix = {};  // y, x, depth, altitude, pitch, roll, heading.
 };
 
 inline std::string xtf_header(const XtfBytes& file) {
@@ -166,7 +167,10 @@ inline std::string xtf_packet(const XtfBytes& ping) {
                                   std::uint32_t{0}, static_cast<std::uint32_t>(256 + body.size())) +
                            little(std::uint16_t{2013}, std::uint8_t{9}, std::uint8_t{10}, std::uint8_t{21},
                                   std::uint8_t{13}, ping.second, std::uint8_t{50});
-  return padded(head, 256) + body;
+  const auto& fix = ping.fix;
+  const auto word = [&](int i) { return static_cast<float>(fix[i]); };
+  const std::string place = padded(head, 160) + little(fix[0], fix[1]);
+  return padded(padded(place, 192) + little(word(2), word(3), 0.0F, word(4), word(5), word(6)), 256) + body;
 }
 
 // ---------------------------------------------------------------- What is read

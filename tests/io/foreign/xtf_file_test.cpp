@@ -23,7 +23,7 @@ TEST(XtfFileTest, SamplesBeginAtTheSonarOnBothSides) {
   next.port = words(6, 5, 4);
   next.second = 7;
   folder.write("a.xtf", xtf_header(kPing) + xtf_packet(kPing) + xtf_packet(next));
-  const RecordedPings port("a.xtf"), starboard("a.xtf", "starboard");
+  const RecordedPings port("a.xtf", "port"), starboard("a.xtf", "starboard"), both("a.xtf");
   EXPECT_EQ(port.foreign_format(), "XTF");
   EXPECT_EQ(port.ping_count(), 2U);
   EXPECT_EQ(port.beam_count(), 1);
@@ -32,7 +32,11 @@ TEST(XtfFileTest, SamplesBeginAtTheSonarOnBothSides) {
   EXPECT_THAT(port.intensity(1), ElementsAre(4, 5, 6));
   EXPECT_THAT(starboard.intensity(0), ElementsAre(11, 12, 40000));
   EXPECT_NEAR(port.ping(1).time, 2, 1e-6);
-  EXPECT_THAT(port.notes(), ElementsAre("has port, starboard; port is taken, --sonar takes another"));
+  EXPECT_THAT(both.intensity(1), ElementsAre(4, 11, 5, 12, 6, 40000));
+  EXPECT_EQ(both.sonar(), "side_scan");
+  EXPECT_TRUE(both.sonar_config().is_side_scan());
+  EXPECT_THAT(both.sonars(), ElementsAre("side_scan"));
+  EXPECT_THAT(both.notes(), ElementsAre());
   EXPECT_THAT(starboard.notes(), ElementsAre());
   const SonarConfig sonar = starboard.sonar_config();
   EXPECT_EQ(sonar.name, "starboard");
@@ -63,7 +67,7 @@ TEST(XtfFileTest, EightBitsAndFloatsAreRead) {
   const XtfBytes bytes{.sample_bytes = 1, .port = "cba", .starboard = "xyz"};
   folder.write("bytes.xtf", xtf_header(bytes) + xtf_packet(bytes));
   EXPECT_EQ(RecordedPings("bytes.xtf").full_scale(), 255);
-  EXPECT_THAT(RecordedPings("bytes.xtf").intensity(0), ElementsAre('a', 'b', 'c'));
+  EXPECT_THAT(RecordedPings("bytes.xtf", "port").intensity(0), ElementsAre('a', 'b', 'c'));
   const XtfBytes floats{
       .sample_bytes = 4, .sample_format = 5, .port = little(1.F, 2.F, 3.F), .starboard = little(.5F, .25F, 0.F)};
   folder.write("floats.xtf", xtf_header(floats) + xtf_packet(floats));
@@ -96,7 +100,7 @@ TEST(XtfFileTest, WrongFilesAreOneMessage) {
   EXPECT_EQ(opening("a.xtf"), fmt::format("a.xtf: byte {}: a packet begins with 0x6f6e, must begin with 0xface",
                                           1024 + xtf_packet(kPing).size()));
   folder.write("other.xtf", xtf_header(kPing) + xtf_packet(kPing));
-  EXPECT_EQ(opening("other.xtf", "fls"), "other.xtf: has no sonar fls; it has port, starboard");
+  EXPECT_EQ(opening("other.xtf", "fls"), "other.xtf: has no sonar fls; it has side_scan, port, starboard");
   XtfBytes giant = kPing;
   giant.samples = 4'000'000'000;
   folder.write("giant.xtf", xtf_header(kPing) + xtf_packet(giant));
@@ -112,6 +116,35 @@ TEST(XtfFileTest, WrongFilesAreOneMessage) {
   EXPECT_EQ(
       opening("wide.xtf"),
       "wide.xtf: samples of port have 8 bytes and format 0; those of 1 or 2 bytes are read, and of 4 in format 5");
+}
+
+// A fish 14 m deep, 5 m above the bed, heading north-east, its nose 10 degrees down, 3 / 3600 of a degree of latitude
+// north of the first: 92.6 m on a parallel of 45 degrees, where a degree has 111 132 m.
+TEST(XtfFileTest, PosesAndAltitudesAreThoseOfThePacketsHeads) {
+  const WorkingFolder folder;
+  std::string header = xtf_header(kPing);
+  header[164] = 3;
+  XtfBytes ping = kPing;
+  const std::string lost = xtf_packet(ping);
+  ping.fix = {45, -68, 14, 5, -10, 0, 45};
+  const std::string first = xtf_packet(ping);
+  ping.fix[0] += 3.0 / 3600;
+  folder.write("a.xtf", header + lost + first + xtf_packet(ping));
+  const RecordedPings pings("a.xtf");
+  EXPECT_THAT(pings.notes(), ElementsAre("1 ping without a position: that of the next is taken"));
+  EXPECT_EQ(pings.altitude(0), std::nullopt);
+  EXPECT_EQ(pings.altitude(1), 5);
+  ASSERT_TRUE(pings.origin().has_value());
+  EXPECT_EQ(pings.origin()->latitude, 45);
+  EXPECT_EQ(pings.origin()->longitude, -68);
+  EXPECT_EQ(pings.ping(0).world_from_sonar.position, Vec3(0, 0, -14));
+  const Pose pose = pings.ping(2).world_from_sonar;
+  EXPECT_NEAR(pose.position.x(), 0, 1e-9);
+  EXPECT_NEAR(pose.position.y(), 111132 * 3.0 / 3600, 0.01);
+  const Vec3 ahead = pose.orientation * Vec3::UnitX();
+  EXPECT_NEAR(ahead.x(), std::cos(radians_from_degrees(10)) / std::sqrt(2), 1e-6);
+  EXPECT_NEAR(ahead.y(), ahead.x(), 1e-6);
+  EXPECT_NEAR(ahead.z(), -std::sin(radians_from_degrees(10)), 1e-6);
 }
 
 // The same side as another program has decoded it; a multibeam file has depths only.
