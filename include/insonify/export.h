@@ -13,6 +13,7 @@
 #include "insonify/log.h"
 #include "insonify/messages.h"
 #include "insonify/picture.h"
+#include "insonify/survey/geographic.h"
 
 namespace insonify {
 
@@ -28,12 +29,6 @@ struct VideoOptions {
   ColourMap colour_map = ColourMap::kInferno;
   int height = 720;         ///< [pixels], 240..8192; the video's is the next even number.
   bool annotations = true;  ///< Rings, axes and colour bar.
-};
-
-/// A place on the ellipsoid of WGS84.
-struct GeographicPoint {
-  double latitude = 0;   ///< [deg], -90..90; north positive.
-  double longitude = 0;  ///< [deg], -180..180; east positive.
 };
 
 struct ExportOptions {

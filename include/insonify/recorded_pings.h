@@ -75,7 +75,7 @@ class RecordedPings {
   [[nodiscard]] std::optional<double> altitude(std::uint64_t ping) const;
 
   /// Origin of the world on the Earth, of files that say it; the world's x is east, its y north.
-  [[nodiscard]] std::optional<Geographic> origin() const;
+  [[nodiscard]] std::optional<GeographicPoint> origin() const;
 
   /// The greatest count of the instrument, 2^bits - 1; 0 for a recording without counts (ReceiverConfig::counts).
   [[nodiscard]] double greatest_count() const;

@@ -43,8 +43,7 @@ class Waterfall {
   /// insonify::fitting_full_scale() of what is shown.
   [[nodiscard]] double fitting_full_scale() const;
   /// @throws Error without a ping; for altitudes that are not as many as pings; to scale, for a sonar that has not
-  /// moved
-  ///         and for pictures of more than 8192 pixels height.
+  ///         moved and for pictures of more than 8192 pixels height.
   [[nodiscard]] Picture draw(const Display& display = {}) const;
 
  private:

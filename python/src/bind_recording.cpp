@@ -164,9 +164,18 @@ void add_axes(RecordedClass& recorded) {
   add("time", "Times of transmission, float64 [pings], in seconds.");
   add("world_from_sonar", "Poses of the housing, float64 [pings, 7]: x y z in metres, then the quaternion w x y z.");
   add("head_angle", "Angles of a scanning head, float64 [pings], in radians, positive to port; else None.");
+  add("altitude",
+      "Heights above the bed that a side-scan file stores, float64 [pings], in metres, 0 where unknown; else None.");
   add("range", "Centre of each bin, float64 [bins], in metres.");
   add("azimuth", "Centre of each beam, float64 [beams], in radians, positive to port, falling.");
   recorded
+      .def_property_readonly(
+          "origin",
+          [](const PythonRecording& self) {
+            const std::optional<GeographicPoint> origin = self.pings.origin();
+            return origin ? std::optional(std::pair(origin->latitude, origin->longitude)) : std::nullopt;
+          },
+          "Latitude and longitude of the world's origin in degrees, where a survey file says them; else None.")
       .def_property_readonly(
           "instance_names", [](const PythonRecording& self) { return self.tables.texts("instance_names"); },
           "Names by index in `instance`.")

@@ -64,7 +64,7 @@ class Along {
       const auto next = std::ranges::lower_bound(values_, value * (1 - 1e-12));
       const auto ping =
           static_cast<std::size_t>(std::min(next - values_.begin(), static_cast<std::ptrdiff_t>(values_.size()) - 1));
-      ticks.push_back({place_of(ping), fmt::format("{:.12g}", value), ticks.empty()});
+      ticks.push_back({place_of(ping), fmt::format("{:.12g}", value + 0.0), ticks.empty()});
     }
     return ticks;
   }

@@ -139,7 +139,8 @@ std::vector<float> edge_scores(const std::vector<float>& levels, const RangeCell
 }
 
 int foot_of_edge(const std::vector<float>& levels, const RangeCells& cells, int lead, int edge) {
-  constexpr double kDeviations = 4, kLeastRiseDb = 2;
+  constexpr double kDeviations = 4, kLeastRiseDb = 2, kFlankDb = 20;
+  constexpr int kFlankCells = 4;
   const int column_end = std::max(edge - cells.window, std::min(edge, lead + kLeastColumn));
   const int column_begin = std::max(lead, edge - 3 * cells.window);
   if (column_end <= column_begin) {
@@ -153,6 +154,13 @@ int foot_of_edge(const std::vector<float>& levels, const RangeCells& cells, int 
   }
   while (foot > lead && double{levels[foot - 1]} > bottom) {
     --foot;
+  }
+  const auto is_flank = [&](int cell) {
+    const auto first = levels.begin() + cell, last = levels.begin() + std::min(cells.count, cell + kFlankCells + 1);
+    return double{*first} < double{*std::max_element(first, last)} - kFlankDb;
+  };
+  while (foot < edge && is_flank(foot)) {
+    ++foot;
   }
   return foot;
 }

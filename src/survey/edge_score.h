@@ -34,7 +34,8 @@ struct RangeCells {
 [[nodiscard]] std::vector<float> edge_scores(const std::vector<float>& levels, const RangeCells& cells, int lead);
 
 /// Where the rise begins at whose middle an edge is: the cell down to which levels, from the edge towards the sonar,
-/// exceed those of the water column before by 4 of its standard deviations and at least 2 dB.
+/// exceed those of the water column before by 4 of its standard deviations and at least 2 dB. Cells 20 dB below one of
+/// the next four are the flank of the pulse, not the bottom.
 [[nodiscard]] int foot_of_edge(const std::vector<float>& levels, const RangeCells& cells, int lead, int edge);
 
 }  // namespace insonify

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "insonify/error.h"
 #include "insonify/field.h"
@@ -118,16 +117,24 @@ std::vector<AngleGain::Mean> AngleGain::means_of(const Side& side) {
   return means;
 }
 
+double AngleGain::mean_of_all() const {
+  double sum = 0, count = 0;
+  for (const Side& side : sides_) {
+    for (const Mean& at : means_of(side)) {
+      sum += at.level;
+      count += 1;
+    }
+  }
+  return sum / count;
+}
+
 Ping AngleGain::applied(Ping ping, const SonarConfig& sonar, double altitude) const {
-  const double height = in_plane(altitude, ping, sonar);
+  const double height = in_plane(altitude, ping, sonar), all = mean_of_all();
   for (int beam = 0; beam < ping.beam_count; ++beam) {
     const std::vector<Mean> means = means_of(sides_[beam]);
     if (means.empty()) {
       continue;
     }
-    const double mean_of_all =
-        std::accumulate(means.begin(), means.end(), 0.0, [](double sum, const Mean& at) { return sum + at.level; }) /
-        static_cast<double>(means.size());
     for (int bin = 0; bin < ping.bin_count; ++bin) {
       const double degrees = degrees_below(sonar.bin_range(bin), height);
       const auto next = std::ranges::lower_bound(means, degrees, {}, &Mean::degrees);
@@ -137,7 +144,7 @@ Ping AngleGain::applied(Ping ping, const SonarConfig& sonar, double altitude) co
         level = std::lerp(before.level, next->level, (degrees - before.degrees) / (next->degrees - before.degrees));
       }
       float& value = ping.intensity[ping.index(bin, beam)];
-      value = static_cast<float>(double{value} / level * mean_of_all);
+      value = static_cast<float>(double{value} / level * all);
     }
   }
   return ping;

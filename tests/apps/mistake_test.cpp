@@ -28,7 +28,8 @@ TEST_P(MistakeTest, IsOneLineAndAnExitStatus) {
 
 constexpr Mistake kMistakes[] = {
     {"NoCommand", "insonify", 2,
-     "insonify: name a command; the commands are run, serve, emulate, bridge, draw, replay, info, export, scenes, "
+     "insonify: name a command; the commands are run, serve, emulate, bridge, draw, replay, info, export, mosaic, "
+     "scenes, "
      "sonars, "
      "describe, "
      "compare, "
@@ -37,6 +38,7 @@ constexpr Mistake kMistakes[] = {
      "(insonify --help)"},
     {"UnknownCommand", "insonify rnu fan.yaml", 2,
      "insonify: there is no command rnu; the commands are run, serve, emulate, bridge, draw, replay, info, export, "
+     "mosaic, "
      "scenes, sonars, "
      "describe, "
      "compare, bench, version, "
@@ -46,6 +48,7 @@ constexpr Mistake kMistakes[] = {
     {"UnknownOption", "insonify run fan.yaml --frob", 2, "insonify: not understood: --frob (insonify run --help)"},
     {"UnknownOptionBeforeTheCommand", "insonify --frob", 2,
      "insonify: there is no option --frob; the commands are run, serve, emulate, bridge, draw, replay, info, export, "
+     "mosaic, "
      "scenes, sonars, "
      "describe, "
      "compare, bench, version, "

@@ -299,9 +299,9 @@ class SideScanFilesTest(unittest.TestCase):
                 (("fan/fls.h5", "-o", "a.xtf"),
                  "fan/fls.h5: its sonar fls is not a side-scan sonar; .xtf holds these alone"),
                 (("out/low.h5", "-o", "a.jsf", "--origin", "95,10"),
-                 "origin = 95,10 must be a latitude from -90 to 90 and a longitude from -180 to 180"),
+                 "origin.latitude = 95 deg must be from -89 to 89 deg"),
                 (("out/low.h5", "-o", "a.xtf", "--origin", "48"),
-                 "--origin 48 must be a latitude and a longitude in degrees, such as 48.45,-68.83"),
+                 "--origin: 48 must be a latitude and a longitude in degrees, such as 48.45,-68.83 (insonify export --help)"),
                 (("out/low.h5", "-o", "a.npz", "--origin", "48,10"),
                  "--origin has no effect on .npz, only on .xtf, .jsf")):
             done = insonify("export", *arguments)

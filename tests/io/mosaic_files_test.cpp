@@ -50,7 +50,7 @@ TEST(MosaicFilesTest, AsciiGridsAreInMetresOfTheWorld) {
 TEST(MosaicFilesTest, WorldFilesHaveTheMiddleOfTheFirstPixel) {
   EXPECT_EQ(world_file_text(small_mosaic()), "2\n0\n0\n-2\n-9\n39\n");
   double numbers[6] = {};
-  const std::string text = world_file_text(small_mosaic(), Geographic{0, 10});
+  const std::string text = world_file_text(small_mosaic(), GeographicPoint{0, 10});
   ASSERT_EQ(std::sscanf(text.c_str(), "%lf %lf %lf %lf %lf %lf", numbers, numbers + 1, numbers + 2, numbers + 3,
                         numbers + 4, numbers + 5),
             6);
@@ -113,9 +113,9 @@ TEST(MosaicFilesTest, OtherEndingsAndOriginsAreRefused) {
   EXPECT_EQ(message_of([] { write_mosaic(small_mosaic(), "a.bmp"); }),
             "a.bmp: a mosaic is written as .npz, .tif, .asc");
   EXPECT_EQ(message_of([] {
-              write_mosaic(small_mosaic(), "a.tif", Geographic{90, 0});
+              write_mosaic(small_mosaic(), "a.tif", GeographicPoint{90, 0});
             }),
-            "origin.latitude = 90 deg must be from -89 deg to 89 deg");
+            "origin.latitude = 90 deg must be from -89 to 89 deg");
 }
 
 }  // namespace

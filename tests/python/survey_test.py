@@ -1,12 +1,28 @@
 # survey_test.py -- insonify.survey over pings that are simulated here.
 
 import math
+import sys
+import tempfile
 import unittest
 
 import numpy as np
 
 import insonify
 from insonify import survey
+from kit import floor_scene
+
+
+LINE = """
+world: none
+sonars:
+  - {name: sss, type: sss, azimuth_aperture_deg: 1, elevation_aperture_deg: 70, elevation_pattern: rectangular,
+     depression_deg: 40, max_range: 20, bin_count: 400, ping_period: 0.5}
+trajectory:
+  - {time: 0, position: [0, 0, 3]}
+  - {time: 4, position: [4, 0, 3]}
+pings: 9
+"""
+
 
 class SurveyTest(unittest.TestCase):
     def test_heights_by_hand(self):
@@ -16,6 +32,39 @@ class SurveyTest(unittest.TestCase):
         self.assertAlmostEqual(survey.shadow_length(6, 2, 8), 4)
         self.assertEqual(survey.ground_range(5, 3), 4)
 
+    def test_a_line_over_a_level_bed(self):
+        simulator = insonify.Simulator(insonify.Scenario.from_text(LINE), floor_scene())
+        pings = [simulator.ping(number=number) for number in range(9)]
+        # A running mean of the water column's end, in bins of 5 cm.
+        track = survey.track_bottom(pings)
+        np.testing.assert_allclose(track.altitude, 5, atol=0.2)
+        self.assertEqual(track.side_range.shape, (9, 2))
+        self.assertGreater(track.quality.min(), 0.3)
+        self.assertAlmostEqual(survey.true_altitude(pings[0]), 5, delta=0.1)
+        ground = survey.slant_to_ground(pings[0], 5, cell=0.5)
+        self.assertEqual(ground.shape, (40, 2))
+        # The last bin ends at sqrt(20^2 - 5^2) = 19.36 m.
+        np.testing.assert_array_equal(np.isnan(ground[:, 0]), np.arange(40) > 38)
+        # To 19.36 m on each side of 4 m of track, and cells that are touched count: at most one more at each edge.
+        mosaic = survey.make_mosaic([pings], cell=0.5, altitudes=[5])
+        seen = ~np.isnan(mosaic.intensity)
+        self.assertAlmostEqual(seen.sum() * 0.25, 2 * 19.36 * 4.5, delta=30)
+        self.assertEqual(set(np.unique(mosaic.line[seen])), {0})
+        self.assertAlmostEqual(mosaic.north, 20, delta=0.7)
+
+    def test_what_an_xtf_file_says(self):
+        with tempfile.TemporaryDirectory() as folder:
+            simulator = insonify.Simulator(insonify.Scenario.from_text(LINE), floor_scene())
+            with insonify.Recording(folder + "/line.h5", simulator) as recording:
+                for number in range(9):
+                    recording.add(simulator.ping(number=number))
+            self.assertIsNone(insonify.open(folder + "/line.h5").origin)
+            insonify.export(folder + "/line.h5", folder + "/line.xtf", origin=(48.5, -68.8))
+            line = insonify.open(folder + "/line.xtf")
+            np.testing.assert_allclose(line.altitude, 5, atol=0.1)
+            np.testing.assert_allclose(line.origin, (48.5, -68.8), atol=1e-9)
+            np.testing.assert_allclose(line.world_from_sonar[:, 0], 0.5 * np.arange(9), atol=1e-4)
+
     def test_bad_input_is_refused(self):
         with self.assertRaisesRegex(insonify.Error, "altitude = 0 m must be greater than 0 m"):
             survey.ground_range(5, 0)
@@ -24,4 +73,4 @@ class SurveyTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    unittest.main(argv=sys.argv[:1])

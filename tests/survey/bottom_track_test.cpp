@@ -51,6 +51,23 @@ TEST(BottomTrackTest, FollowsItThroughNoiseOfATenthOfTheBed) {
   expect_altitudes(track_bottom(line_of(sonar, 120, 10), sonar), 2 * kWithin);
 }
 
+// A water column 80 dB below the bed's first return, and before this the flank of a pulse 60, 50 and 40 dB below it.
+TEST(BottomTrackTest, FlanksOfThePulseAreNotTheBottom) {
+  const SonarConfig sonar = side_scan_sonar();
+  std::mt19937 random(3);
+  std::vector<Ping> pings;
+  for (int number = 0; number < 20; ++number) {
+    Ping& ping = pings.emplace_back(bed_ping(sonar, 8, 80, random, static_cast<std::uint64_t>(number)));
+    for (int bin = 157; bin < 160; ++bin) {
+      ping.intensity[ping.index(bin, 0)] = ping.intensity[ping.index(bin, 1)] =
+          static_cast<float>(std::pow(10, bin - 163));
+    }
+  }
+  for (const double altitude : track_bottom(pings, sonar).altitude) {
+    EXPECT_NEAR(altitude, 8, 0.025);  // Half a bin.
+  }
+}
+
 TEST(BottomTrackTest, OneSideIsEnough) {
   SonarConfig sonar = side_scan_sonar();
   sonar.beam_count = 1;

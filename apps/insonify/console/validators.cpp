@@ -10,6 +10,8 @@
 #include <filesystem>
 #include <sstream>
 
+#include "insonify/printable.h"
+
 namespace insonify {
 namespace {
 
@@ -90,6 +92,25 @@ Check levels() {
     return parsed_levels(text)
                ? std::string()
                : fmt::format("{} must be LOW:HIGH, two rising levels from -400 to 400 dB, as -90:-40", text);
+  }};
+}
+
+std::optional<GeographicPoint> parsed_origin(const std::string& text) {
+  GeographicPoint origin;
+  const char* const end = text.data() + text.size();
+  const auto latitude = std::from_chars(text.data(), end, origin.latitude);
+  if (latitude.ec != std::errc() || latitude.ptr == end || *latitude.ptr != ',') {
+    return std::nullopt;
+  }
+  const auto longitude = std::from_chars(latitude.ptr + 1, end, origin.longitude);
+  return longitude.ec == std::errc() && longitude.ptr == end ? std::optional(origin) : std::nullopt;
+}
+
+Check origin() {
+  return {[](const std::string& text) {
+    return parsed_origin(text)
+               ? std::string()
+               : fmt::format("{} must be a latitude and a longitude in degrees, such as 48.45,-68.83", printable(text));
   }};
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "insonify/field.h"
+#include "insonify/survey/geographic.h"
 
 namespace insonify {
 
@@ -37,5 +38,11 @@ struct Check {
 
 /// Darkest and brightest level of "LOW:HIGH" [dB]; none if the text is not two increasing numbers within 400 dB.
 [[nodiscard]] std::optional<std::pair<double, double>> parsed_levels(const std::string& text);
+
+/// Accepts what parsed_origin() does.
+[[nodiscard]] Check origin();
+
+/// Latitude and longitude of "48.45,-68.83" [deg]; none if the text is not two numbers.
+[[nodiscard]] std::optional<GeographicPoint> parsed_origin(const std::string& text);
 
 }  // namespace insonify

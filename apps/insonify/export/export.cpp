@@ -7,14 +7,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <map>
 
 #include "console/commands.h"
 #include "console/console.h"
 #include "console/outcome.h"
 #include "console/stop.h"
-#include "insonify/printable.h"
 #include "insonify/recording_formats.h"
 #include "insonify/recording_info.h"
 #include "pictures/picture_options.h"
@@ -62,25 +60,6 @@ void check_effects(const ExportCommand& options) {
   }
 }
 
-// Two numbers, such as "48.4455,-68.828".
-std::optional<GeographicPoint> origin_of(const std::string& text) {
-  if (text.empty()) {
-    return {};
-  }
-  const auto number = [&](std::string_view part) {
-    double value = 0;
-    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
-    if (error != std::errc() || end != part.data() + part.size()) {
-      throw InputError(fmt::format("--origin {} must be a latitude and a longitude in degrees, such as 48.45,-68.83",
-                                   printable(text)));
-    }
-    return value;
-  };
-  const std::string_view both = text;
-  const std::size_t comma = std::min(both.find(','), both.size());
-  return GeographicPoint{number(both.substr(0, comma)), number(both.substr(std::min(comma + 1, both.size())))};
-}
-
 // Every fault of the input is found here, before anything is written.
 void check_input(const ExportCommand& options, const std::vector<RecordingPart>& parts, const ExportOptions& how) {
   std::error_code ignored;
@@ -117,7 +96,7 @@ int export_command(const ExportCommand& options) {
   how.messages = message_options(style, options.messages);
   how.messages.bits = options.bits;
   how.log = [](Severity, const std::string& message) { complain("warning: " + message + "; --levels changes that"); };
-  how.origin = origin_of(options.origin);
+  how.origin = parsed_origin(options.origin);
   how.video.rate = options.rate;
   how.video.low_db = how.messages.low_db;
   how.video.high_db = how.messages.high_db;
@@ -154,7 +133,7 @@ void add_export(const Command& program) {
   add_message_choice(command, options.messages, "in .mcap and .bag", "[that of the recordings, else 1970]");
   command.flag("--store", &options.store, "Do not compress .npz");
   command.option("--origin", "LAT,LON", &options.origin,
-                 "Where the world's origin is [deg], for positions in .xtf and .jsf [metres]");
+                 "Where the world's origin is [deg], for positions in .xtf and .jsf [metres]", origin());
   command.option("--rate", "N", &options.rate,
                  "Frames per second of a video [as fast as the pings were made, at most 50]",
                  number_within(above_to(0, 120)));

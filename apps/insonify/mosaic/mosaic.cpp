@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <fstream>
 
 #include "console/commands.h"
@@ -13,7 +12,6 @@
 #include "insonify/draw_mosaic.h"
 #include "insonify/files.h"
 #include "insonify/mosaic_files.h"
-#include "insonify/printable.h"
 #include "insonify/recorded_pings.h"
 #include "insonify/recording_formats.h"
 #include "insonify/stored_tables.h"
@@ -56,24 +54,14 @@ struct OpenLine {
   const StoredTable* labels = nullptr;
 };
 
-std::optional<Geographic> origin_from(const std::string& text) {
-  Geographic origin;
-  const char* const end = text.data() + text.size();
-  const auto latitude = std::from_chars(text.data(), end, origin.latitude);
-  if (latitude.ec != std::errc() || latitude.ptr == end || *latitude.ptr != ',') {
-    return std::nullopt;
-  }
-  const auto longitude = std::from_chars(latitude.ptr + 1, end, origin.longitude);
-  if (longitude.ec != std::errc() || longitude.ptr != end) {
-    return std::nullopt;
-  }
-  check_origin(origin);
-  return origin;
-}
-
 // What the cells lie on the Earth by: the option, else what the first file says.
-std::optional<Geographic> origin_of(const MosaicCommand& options, const std::vector<OpenLine>& lines) {
-  return options.origin.empty() ? lines.front().pings.origin() : origin_from(options.origin);
+std::optional<GeographicPoint> origin_of(const MosaicCommand& options, const std::vector<OpenLine>& lines) {
+  const std::optional<GeographicPoint> origin =
+      options.origin.empty() ? lines.front().pings.origin() : parsed_origin(options.origin);
+  if (origin) {
+    check_origin(*origin);
+  }
+  return origin;
 }
 
 PictureStyle style_of(const MosaicCommand& options, const OpenLine& line) {
@@ -143,7 +131,7 @@ Mosaic mosaic_of(const MosaicCommand& options, const std::vector<OpenLine>& line
 }
 
 void write_world_file(const Mosaic& mosaic, const std::filesystem::path& picture,
-                      const std::optional<Geographic>& origin) {
+                      const std::optional<GeographicPoint>& origin) {
   std::filesystem::path path = picture;
   path.replace_extension(".pgw");
   std::ofstream file(path, std::ios::binary);
@@ -159,7 +147,7 @@ int mosaic_command(const MosaicCommand& options) {
   refuse_existing(options);
   const std::vector<OpenLine> lines = open_lines(options);
   PictureStyle style = checked_input([&] { return style_of(options, lines.front()); });
-  const std::optional<Geographic> origin = checked_input([&] { return origin_of(options, lines); });
+  const std::optional<GeographicPoint> origin = checked_input([&] { return origin_of(options, lines); });
   const Mosaic mosaic = mosaic_of(options, lines, style.display.raised_per_decade);
   if (!style.fixed_levels) {
     style.display.full_scale = fitting_full_scale(mosaic);
@@ -203,18 +191,9 @@ void add_mosaic(const Command& program) {
       "--rule", "NAME", &options.rule,
       "Which of several lines a cell shows: best (angle to the bed nearest to 30 degrees), latest or mean [best]",
       one_of({"best", "latest", "mean"}));
-  const Check place = {[](const std::string& text) -> std::string {
-                         try {
-                           return origin_from(text) ? ""
-                                                    : "must be latitude and longitude in degrees, such as 48.4,-68.8";
-                         } catch (const Error& error) {
-                           return error.what();
-                         }
-                       },
-                       {}};
   command.option("--origin", "LAT,LON", &options.origin,
                  "Place of the world's origin on the Earth, for GeoTIFF and world files [what the first file says]",
-                 place);
+                 origin());
   command.flag("-f,--force", &options.force, "Replace existing files");
   add_line_options(command, options.line);
   add_picture_options(command.under("Pictures"), options.pictures);

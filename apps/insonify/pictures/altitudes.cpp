@@ -52,7 +52,7 @@ std::vector<double> true_altitudes(const RecordedPings& pings, const std::filesy
     ping.elevation.resize(ping.intensity.size());
     const std::array<TableSlice, 3> slices{{{number, 1}, {0, elevation->shape.at(1)}, {0, elevation->shape.at(2)}}};
     tables.read(*elevation, slices, std::as_writable_bytes(std::span(ping.elevation)));
-    altitudes.push_back(true_altitude(ping, config));
+    altitudes.push_back(altitude_by_truth(ping, config).value_or(std::nan("")));
   }
   return altitudes;
 }

@@ -46,8 +46,8 @@ class AngleGain {
   /// @throws Error as slant_to_ground().
   void add(const Ping& ping, const SonarConfig& sonar, double altitude);
 
-  /// The ping with each intensity divided by the mean at its angle, interpolated, times the mean of all angles. Bins of
-  /// the water column are treated as straight below.
+  /// The ping with each intensity divided by the mean at its angle, interpolated, times the mean of all angles of both
+  /// sides, which so become equally bright. Bins of the water column are treated as straight below.
   [[nodiscard]] Ping applied(Ping ping, const SonarConfig& sonar, double altitude) const;
 
  private:
@@ -61,6 +61,7 @@ class AngleGain {
     double degrees = 0, level = 0;
   };
   static std::vector<Mean> means_of(const Side& side);
+  [[nodiscard]] double mean_of_all() const;
 
   std::vector<Side> sides_;
 };

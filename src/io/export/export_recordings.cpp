@@ -105,17 +105,6 @@ void check_kinds(const std::filesystem::path& file, const ExportFormat& format, 
   }
 }
 
-void check_origin(const ExportOptions& options) {
-  if (!options.origin) {
-    return;
-  }
-  const auto [latitude, longitude] = *options.origin;
-  if (!(std::abs(latitude) <= 90 && std::abs(longitude) <= 180)) {
-    throw Error(fmt::format("origin = {:.9g},{:.9g} must be a latitude from -90 to 90 and a longitude from -180 to 180",
-                            latitude, longitude));
-  }
-}
-
 // A file holds one run. Recordings of other programs do not identify their run.
 void check_run(RecordedSonars recordings) {
   const RecordedTables& first = *recordings.front();
@@ -159,7 +148,9 @@ Checked checked(std::span<const RecordingPart> recordings, const std::filesystem
     throw Error(fmt::format("{}: there is not a recording to export", found.file.string()));
   }
   check_place(found.file, *found.format, options.replace);
-  check_origin(options);
+  if (options.origin) {
+    check_origin(*options.origin);
+  }
   for (const RecordingPart& recording : recordings) {
     for (auto& sonar : open_all_tables(recording.path, recording.sonar)) {
       if (sonar->ping_count() == 0) {

@@ -17,18 +17,22 @@
 namespace insonify {
 namespace {
 
-// Sizes of a cell, and the upper left corner, in the units of a file.
+// Sizes of a cell, and the upper left corner, in the units of a file. In degrees rows and columns are straight lines
+// between opposite corners.
 struct Placement {
   double cell_x = 0, cell_y = 0, west = 0, north = 0;
 };
 
-Placement placement_of(const Mosaic& mosaic, const std::optional<Geographic>& origin) {
+Placement placement_of(const Mosaic& mosaic, const std::optional<GeographicPoint>& origin) {
   if (!origin) {
     return {mosaic.cell, mosaic.cell, mosaic.west, mosaic.north};
   }
-  const Vec3 metres = metres_a_degree(*origin);
-  const Geographic corner = geographic_from_world({mosaic.west, mosaic.north, 0}, *origin);
-  return {mosaic.cell / metres.x(), mosaic.cell / metres.y(), corner.longitude, corner.latitude};
+  const LocalGrid grid(*origin);
+  const GeographicPoint upper = grid.geographic({mosaic.west, mosaic.north, 0});
+  const GeographicPoint lower =
+      grid.geographic({mosaic.west + mosaic.columns * mosaic.cell, mosaic.north - mosaic.rows * mosaic.cell, 0});
+  return {std::remainder(lower.longitude - upper.longitude, 360) / mosaic.columns,
+          (upper.latitude - lower.latitude) / mosaic.rows, upper.longitude, upper.latitude};
 }
 
 template <typename Value>
@@ -39,7 +43,7 @@ void add_table(ZipWriter& zip, const std::string& name, const std::string& type,
   zip.end();
 }
 
-void write_npz(const Mosaic& mosaic, const std::filesystem::path& file, const std::optional<Geographic>& origin,
+void write_npz(const Mosaic& mosaic, const std::filesystem::path& file, const std::optional<GeographicPoint>& origin,
                const std::vector<std::string>& names) {
   UnfinishedFile out(file, "cannot write");
   ZipWriter zip(out, true);
@@ -152,7 +156,7 @@ class TiffDirectory {
 };
 
 // GeoTIFF 1.1 (OGC 19-008r4): ModelPixelScale, ModelTiepoint and GeoKeyDirectory; GDAL's tag for cells without a value.
-void write_tiff(const Mosaic& mosaic, const std::filesystem::path& file, const std::optional<Geographic>& origin) {
+void write_tiff(const Mosaic& mosaic, const std::filesystem::path& file, const std::optional<GeographicPoint>& origin) {
   const std::size_t size = mosaic.intensity.size() * sizeof(float);
   if (size > std::numeric_limits<std::uint32_t>::max() - 4096) {
     throw Error(fmt::format("{}: {} bytes of cells are more than a TIFF holds", file.string(), size));
@@ -186,7 +190,7 @@ void write_tiff(const Mosaic& mosaic, const std::filesystem::path& file, const s
 
 }  // namespace
 
-void write_mosaic(const Mosaic& mosaic, const std::filesystem::path& file, const std::optional<Geographic>& origin,
+void write_mosaic(const Mosaic& mosaic, const std::filesystem::path& file, const std::optional<GeographicPoint>& origin,
                   const std::vector<std::string>& instance_names) {
   if (origin) {
     check_origin(*origin);
@@ -203,7 +207,7 @@ void write_mosaic(const Mosaic& mosaic, const std::filesystem::path& file, const
   }
 }
 
-std::string world_file_text(const Mosaic& mosaic, const std::optional<Geographic>& origin) {
+std::string world_file_text(const Mosaic& mosaic, const std::optional<GeographicPoint>& origin) {
   const Placement place = placement_of(mosaic, origin);
   return fmt::format("{:.12g}\n0\n0\n{:.12g}\n{:.12g}\n{:.12g}\n", place.cell_x, -place.cell_y,
                      place.west + place.cell_x / 2, place.north - place.cell_y / 2);

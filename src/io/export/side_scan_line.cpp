@@ -78,7 +78,7 @@ Vec3 SideScanLine::Track::velocity(std::size_t ping) const {
 SideScanLine::SideScanLine(RecordedSonars recordings, const ExportOptions& options)
     : recordings_(recordings), options_(options) {
   if (options.origin) {
-    grid_.emplace(options.origin->latitude, options.origin->longitude);
+    grid_.emplace(*options.origin);
   }
   start_ns_ = with_start(options.messages, recordings).start_ns.value_or(0);
   for (const auto& recording : recordings) {
@@ -119,9 +119,9 @@ SideScanPing SideScanLine::described(std::size_t index, const Ping& ping) const 
   out.x = pose.position.x();
   out.y = pose.position.y();
   if (grid_) {
-    const auto [latitude, longitude] = grid_->geographic(out.x, out.y);
-    out.x = longitude;
-    out.y = latitude;
+    const GeographicPoint place = grid_->geographic(pose.position);
+    out.x = place.longitude;
+    out.y = place.latitude;
   }
   const Vec3 angles = rpy_from_orientation(pose.orientation);
   out.heading = compass(pose.orientation * Vec3::UnitX());

@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
+#include "insonify/survey/geographic.h"
 #include "io/export/export_format.h"
-#include "io/file/local_grid.h"
 
 namespace insonify {
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <optional>
 
 #include "insonify/printable.h"
 #include "insonify/survey/geographic.h"
@@ -63,12 +64,12 @@ XtfFix xtf_fix(std::span<const std::uint8_t> head) {
 void add_navigation(ForeignTables& tables, std::vector<XtfFix> fixes, bool degrees) {
   const std::size_t missing = fill_places(fixes);
   const XtfFix& first = fixes.front();
-  const Geographic origin{first.y, first.x};
+  const GeographicPoint origin{first.y, first.x};
   degrees = degrees && std::abs(first.y) <= 89 && std::abs(first.x) <= 180 && first.has_place();
+  const std::optional<LocalGrid> grid = degrees ? std::optional<LocalGrid>(origin) : std::nullopt;
   std::vector<double> poses, altitudes;
   for (const XtfFix& fix : fixes) {
-    append_pose(poses, fix,
-                degrees ? world_from_geographic({fix.y, fix.x}, origin) : Vec3(fix.x - first.x, fix.y - first.y, 0));
+    append_pose(poses, fix, grid ? grid->local({fix.y, fix.x}) : Vec3(fix.x - first.x, fix.y - first.y, 0));
     altitudes.push_back(fix.altitude);
   }
   tables.add_numbers("world_from_sonar", "m m m 1 1 1 1", 7, std::move(poses));

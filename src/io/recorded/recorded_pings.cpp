@@ -162,14 +162,14 @@ std::optional<double> RecordedPings::altitude(std::uint64_t ping) const {
   return altitude > 0 ? std::optional(altitude) : std::nullopt;
 }
 
-std::optional<Geographic> RecordedPings::origin() const {
+std::optional<GeographicPoint> RecordedPings::origin() const {
   const nlohmann::json& attributes = state_->tables->attributes();
   const auto found = attributes.find("origin");
   if (found == attributes.end() || !found->is_array() || found->size() != 2 || !found->at(0).is_number() ||
       !found->at(1).is_number()) {
     return std::nullopt;
   }
-  const Geographic origin{found->at(0).get<double>(), found->at(1).get<double>()};
+  const GeographicPoint origin{found->at(0).get<double>(), found->at(1).get<double>()};
   check_origin(origin);
   return origin;
 }

@@ -139,7 +139,7 @@ TEST(XtfFileTest, PosesAndAltitudesAreThoseOfThePacketsHeads) {
   EXPECT_EQ(pings.origin()->longitude, -68);
   EXPECT_EQ(pings.ping(0).world_from_sonar.position, Vec3(0, 0, -14));
   const Pose pose = pings.ping(2).world_from_sonar;
-  EXPECT_NEAR(pose.position.x(), 0, 1e-9);
+  EXPECT_NEAR(pose.position.x(), 0, 1e-6);
   EXPECT_NEAR(pose.position.y(), 111132 * 3.0 / 3600, 0.01);
   const Vec3 ahead = pose.orientation * Vec3::UnitX();
   EXPECT_NEAR(ahead.x(), std::cos(radians_from_degrees(10)) / std::sqrt(2), 1e-6);
