@@ -166,6 +166,8 @@ void add_axes(RecordedClass& recorded) {
   add("head_angle", "Angles of a scanning head, float64 [pings], in radians, positive to port; else None.");
   add("altitude",
       "Heights above the bed that a side-scan file stores, float64 [pings], in metres, 0 where unknown; else None.");
+  add("sound_speed",
+      "Sound speeds that a side-scan file stores, float64 [pings], in m/s, NaN where unknown; else None.");
   add("range", "Centre of each bin, float64 [bins], in metres.");
   add("azimuth", "Centre of each beam, float64 [beams], in radians, positive to port, falling.");
   recorded

@@ -257,6 +257,9 @@ SonarConfig xtf_config(const XtfSonar& sonar, const XtfPings& found, ForeignTabl
     config.max_range = kAssumedBin * found.samples;
     tables.assume(fmt::format("no range in it, bins of {} m are assumed", kAssumedBin));
   }
+  if (const double speed = xtf_sound_speed(found.all.front().fix); speed > 0) {
+    config.assumed_sound_speed = speed;
+  }
   config.bits = sonar.sides.front().sample_bytes == 1 ? 8 : 16;
   return config;
 }
@@ -331,6 +334,10 @@ std::unique_ptr<ForeignTables> open_xtf(const std::filesystem::path& path, const
   if (found->other_shape > 0) {
     tables->note(fmt::format("{} of another range or number of samples than the first left out",
                              counted(found->other_shape, "ping")));
+  }
+  if (found->without > 0) {
+    tables->note(fmt::format("{} without samples of {} left out", counted(found->without, "ping"),
+                             sonar.sides.size() == 2 ? "both sides" : sonar.name));
   }
   if (found->cut_at) {
     tables->note(fmt::format("the last packet, at byte {}, is cut off and left out", *found->cut_at));

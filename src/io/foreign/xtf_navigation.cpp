@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
+#include <limits>
 #include <optional>
 
 #include "insonify/printable.h"
@@ -33,9 +35,10 @@ std::size_t fill_places(std::vector<XtfFix>& fixes) {
     if (fix->has_place()) {
       next = &*fix;
     } else {
-      const double altitude = fix->altitude;
+      const double altitude = fix->altitude, sound_speed = fix->sound_speed;
       *fix = *next;
       fix->altitude = altitude;
+      fix->sound_speed = sound_speed;
       ++missing;
     }
   }
@@ -58,10 +61,26 @@ XtfFix xtf_fix(std::span<const std::uint8_t> head) {
           .altitude = finite_at<float>(head, 196),
           .pitch = finite_at<float>(head, 204),
           .roll = finite_at<float>(head, 208),
-          .heading = finite_at<float>(head, 212)};
+          .heading = finite_at<float>(head, 212),
+          .sound_speed = finite_at<float>(head, 32)};
+}
+
+double xtf_sound_speed(const XtfFix& fix) {
+  constexpr double kLeast = 1300, kMost = 1700;
+  for (const double speed : {fix.sound_speed, 2 * fix.sound_speed}) {
+    if (speed >= kLeast && speed <= kMost) {
+      return speed;
+    }
+  }
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
 void add_navigation(ForeignTables& tables, std::vector<XtfFix> fixes, bool degrees) {
+  std::vector<double> sound_speeds;
+  std::ranges::transform(fixes, std::back_inserter(sound_speeds), xtf_sound_speed);
+  if (std::ranges::any_of(sound_speeds, [](double speed) { return !std::isnan(speed); })) {
+    tables.add_numbers("sound_speed", "m/s", 1, std::move(sound_speeds));
+  }
   const std::size_t missing = fill_places(fixes);
   const XtfFix& first = fixes.front();
   const GeographicPoint origin{first.y, first.x};

@@ -144,6 +144,7 @@ struct XtfBytes {
   float range = 30;
   std::uint8_t second = 5;
   std::array<double, 7> fix = {};  // y, x, depth, altitude, pitch, roll, heading.
+  float sound_velocity = 0;
 };
 
 inline std::string xtf_header(const XtfBytes& file) {
@@ -169,7 +170,7 @@ inline std::string xtf_packet(const XtfBytes& ping) {
                                   std::uint8_t{13}, ping.second, std::uint8_t{50});
   const auto& fix = ping.fix;
   const auto word = [&](int i) { return static_cast<float>(fix[i]); };
-  const std::string place = padded(head, 160) + little(fix[0], fix[1]);
+  const std::string place = padded(padded(head, 32) + little(ping.sound_velocity), 160) + little(fix[0], fix[1]);
   return padded(padded(place, 192) + little(word(2), word(3), 0.0F, word(4), word(5), word(6)), 256) + body;
 }
 

@@ -3,6 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "insonify/stored_tables.h"
 #include "io/foreign/foreign_bytes.h"
 
 namespace insonify::xtf_file_test {
@@ -145,6 +150,62 @@ TEST(XtfFileTest, PosesAndAltitudesAreThoseOfThePacketsHeads) {
   EXPECT_NEAR(ahead.x(), std::cos(radians_from_degrees(10)) / std::sqrt(2), 1e-6);
   EXPECT_NEAR(ahead.y(), ahead.x(), 1e-6);
   EXPECT_NEAR(ahead.z(), -std::sin(radians_from_degrees(10)), 1e-6);
+}
+
+// Some programs store the sound speed, others half of it; what is neither is unknown.
+TEST(XtfFileTest, SoundSpeedsAreThoseOfThePings) {
+  const WorkingFolder folder;
+  std::string bytes = xtf_header(kPing);
+  for (const float velocity : {740.F, 1490.F, 3.F}) {
+    XtfBytes ping = kPing;
+    ping.sound_velocity = velocity;
+    bytes += xtf_packet(ping);
+  }
+  folder.write("a.xtf", bytes);
+  EXPECT_EQ(RecordedPings("a.xtf").sonar_config().assumed_sound_speed, 1480);
+  const StoredTables tables("a.xtf", "");
+  const StoredTable* const speeds = tables.find("sound_speed");
+  ASSERT_NE(speeds, nullptr);
+  std::array<double, 3> values{};
+  tables.read(*speeds, std::array{TableSlice{0, 3}}, std::as_writable_bytes(std::span(values)));
+  EXPECT_THAT(values, ElementsAre(1480, 1490, testing::IsNan()));
+  folder.write("none.xtf", xtf_header(kPing) + xtf_packet(kPing));
+  EXPECT_EQ(StoredTables("none.xtf", "").find("sound_speed"), nullptr);
+  EXPECT_EQ(RecordedPings("none.xtf").sonar_config().assumed_sound_speed, std::nullopt);
+}
+
+TEST(XtfFileTest, PingsThatLackASideAreTold) {
+  const WorkingFolder folder;
+  XtfBytes half = kPing;
+  std::string packet = xtf_packet(half);
+  packet.replace(256 + 64 + half.port.size() + 42, 4, little(std::uint32_t{0}));
+  folder.write("a.xtf", xtf_header(kPing) + xtf_packet(kPing) + packet);
+  EXPECT_EQ(RecordedPings("a.xtf").ping_count(), 1U);
+  EXPECT_THAT(RecordedPings("a.xtf").notes(), ElementsAre("1 ping without samples of both sides left out"));
+  EXPECT_EQ(RecordedPings("a.xtf", "port").ping_count(), 2U);
+}
+
+// By WGS84 a degree of latitude has 111 199 m at 48.4457 degrees, one of longitude 73 980 m; the last ping is
+// 48.4458633 - 48.4454500 north and 68.8283367 - 68.8279350 west of the second, the first with a place.
+TEST(XtfFileTest, RealPingsHaveNavigation) {
+  INSONIFY_REAL_DATA(xtf, "opensidescan_xtf_wreck/scotsman-iver2.xtf");
+  const RecordedPings pings(xtf);
+  EXPECT_EQ(pings.ping_count(), 461U);
+  EXPECT_EQ(pings.beam_count(), 2);
+  EXPECT_THAT(pings.notes(), ElementsAre("1 ping without a position: that of the next is taken"));
+  ASSERT_TRUE(pings.origin().has_value());
+  EXPECT_NEAR(pings.origin()->latitude, 48.44545, 1e-6);
+  EXPECT_NEAR(pings.origin()->longitude, -68.827935, 1e-6);
+  const Pose last = pings.ping(460).world_from_sonar;
+  EXPECT_NEAR(last.position.x(), -73980 * .00040167, .02);
+  EXPECT_NEAR(last.position.y(), 111199 * .00041333, .02);
+  EXPECT_NEAR(last.position.z(), -22.96, 1e-4);
+  const Vec3 ahead = last.orientation * Vec3::UnitX();
+  EXPECT_NEAR(degrees_from_radians(std::atan2(ahead.x(), ahead.y())), 336.7 - 360, 1e-3);
+  EXPECT_NEAR(degrees_from_radians(std::asin(ahead.z())), 3.1, 1e-3);
+  EXPECT_NEAR(pings.altitude(1).value(), 11.45, 1e-5);
+  EXPECT_NEAR(pings.altitude(460).value(), 2.68, 1e-5);
+  EXPECT_EQ(pings.sonar_config().assumed_sound_speed, 1500);
 }
 
 // The same side as another program has decoded it; a multibeam file has depths only.
