@@ -105,6 +105,7 @@ PUBLIC = {
     "sonar_config.h": "sonar",
     "receiver_config.h": "sonar",
     "ground_truth.h": "echo",
+    "sounding.h": "echo",
     "engine.h": "echo",
     "paper_model.h": "echo",
     "ping.h": "receiver",

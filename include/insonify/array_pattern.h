@@ -86,6 +86,11 @@ class ArrayPattern {
   [[nodiscard]] std::complex<double> amplitude(double x) const;
   [[nodiscard]] double intensity(double x) const { return std::norm(amplitude(x)); }  ///< |g(x)|^2.
 
+  /// Pattern d(x) of the difference of the halves of the array, without faults and in focus: twice the port half
+  /// receives g - i d, twice the starboard half g + i d. The phase of starboard re port is 2 atan(d / g), pi x for a
+  /// rectangular window (Lurton, An Introduction to Underwater Acoustics (2010), section 8.2.4).
+  [[nodiscard]] double difference(double x) const;
+
   /// The pattern of the defocused array: each element's signal has the phase `edge_phase` (2 s)^2, s from -1/2 to
   /// 1/2 along the array. A point at the range r in the bearing a, received by an array focused at f, has the edge
   /// phase pi D^2 cos^2(a) / (4 wavelength) (1/r - 1/f) (Goodman, Introduction to Fourier Optics (2005), section 6.4).

@@ -8,6 +8,7 @@
 
 #include "insonify/geometry.h"
 #include "insonify/ground_truth.h"
+#include "insonify/sounding.h"
 
 namespace insonify {
 
@@ -25,6 +26,11 @@ struct Ping {
   // If requested of the receiver, else empty.
   std::vector<std::complex<float>> field;  ///< Complex field: |field|^2 is the intensity; phase re the carrier.
   std::vector<std::uint16_t> counts;       ///< As the instrument delivers them, see SonarConfig::bits.
+
+  // Of a multibeam (SonarType::kMultibeam), else empty.
+  std::vector<float> phase;         ///< Phase between the halves of the receive array [rad], positive for echoes to
+                                    ///< port of the beam's axis; with an azimuth_pattern in the calibrated model.
+  std::vector<Sounding> soundings;  ///< [beam] The bottom.
 
   // Ground truth, from the same deposit; docs/concepts/ground-truth.md. Empty with GroundTruth::kNone.
   std::vector<std::uint16_t>

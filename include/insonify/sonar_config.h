@@ -27,12 +27,15 @@ inline constexpr double kSteepestElevation = radians_from_degrees(89);
 inline constexpr double kWidestElement = radians_from_degrees(175);
 
 /// Forward-looking: each ping insonifies the whole fan. Mechanically scanned: one beam, turned by a step after each
-/// ping. Side-scan: two beams, narrow along the track and tall, one to port and one to starboard.
-enum class SonarType { kForwardLooking, kMechanicallyScanned, kSideScan };
+/// ping. Side-scan: two beams, narrow along the track and tall, one to port and one to starboard. Multibeam: a fan
+/// across the track that looks down, narrow along it, in each of whose beams the bottom is detected.
+enum class SonarType { kForwardLooking, kMechanicallyScanned, kSideScan, kMultibeam };
 template <>
 constexpr auto words_of<SonarType>() {
-  return EnumWords<SonarType, 3>{
-      {{"fls", SonarType::kForwardLooking}, {"msis", SonarType::kMechanicallyScanned}, {"sss", SonarType::kSideScan}}};
+  return EnumWords<SonarType, 4>{{{"fls", SonarType::kForwardLooking},
+                                  {"msis", SonarType::kMechanicallyScanned},
+                                  {"sss", SonarType::kSideScan},
+                                  {"mbes", SonarType::kMultibeam}}};
 }
 
 /// What the pings of a sonar make: each the picture of a fan, or lines of one picture: sectors of a plan or a slice, or
@@ -42,6 +45,14 @@ template <>
 constexpr auto words_of<Product>() {
   return EnumWords<Product, 3>{
       {{"image", Product::kImage}, {"line", Product::kLine}, {"waterfall", Product::kWaterfall}}};
+}
+
+/// How the beams of a multibeam are spaced: at equal angles, or at equal distances on a level bottom.
+enum class BeamSpacing { kEquiangular, kEquidistant };
+template <>
+constexpr auto words_of<BeamSpacing>() {
+  return EnumWords<BeamSpacing, 2>{
+      {{"equiangular", BeamSpacing::kEquiangular}, {"equidistant", BeamSpacing::kEquidistant}}};
 }
 
 /// How a fan's beams get their directions: by delays between elements, or by a lens.
@@ -92,6 +103,7 @@ struct SonarConfig {
                                                         ///< side-scan sonar that of each beam, along the track.
   std::vector<double>
       beam_azimuths;  ///< Explicit centres, falling from port to starboard [rad]; evenly spaced in angle when empty.
+  BeamSpacing beam_spacing = BeamSpacing::kEquiangular;  ///< Of a multibeam without beam_azimuths.
   std::vector<double>
       beam_widths;  ///< Full widths of the beams' slices of azimuth, one for all or one for each [rad],
                     ///< in (0, 2 pi]; narrower ones than the spacing leave gaps. Beams touch when empty.
@@ -166,6 +178,11 @@ struct SonarConfig {
   /// Angle of both sides' acoustic axes below the housing's x-y plane [rad], 0..90 deg; side-scan sonars only.
   double depression = radians_from_degrees(30);
 
+  // What beams are steered against, as motion sensors measure it; multibeams only (docs/concepts/multibeam.md).
+  bool roll_stabilised = false;   ///< Beams stay at their angles from the vertical.
+  bool pitch_stabilised = false;  ///< The swath stays vertical.
+  bool yaw_stabilised = false;    ///< The swath stays across the course.
+
   // Pose on the vehicle, or in the world if there is no trajectory.
   Vec3 position = Vec3::Zero();     ///< [m], within 1e7.
   Vec3 orientation = Vec3::Zero();  ///< Roll, pitch, yaw as in SDF: positive pitch looks down [rad], within 1e6 deg.
@@ -202,6 +219,11 @@ struct SonarConfig {
   /// Elevation of the middle of its beams in the frame of the housing [rad].
   [[nodiscard]] double middle_elevation() const { return is_side_scan() ? -depression : elevation_center; }
 
+  /// Whether beams are evenly spaced in angle.
+  [[nodiscard]] bool has_even_beams() const {
+    return beam_azimuths.empty() && beam_spacing == BeamSpacing::kEquiangular;
+  }
+
   /// Azimuth of the centre of beam `beam` [rad]; falls from port (beam 0) to starboard.
   [[nodiscard]] double beam_azimuth(int beam) const;
 
@@ -216,7 +238,8 @@ struct SonarConfig {
   void set_bearings(const BearingGrid& grid);
 
   /// The mounting pose, housing to vehicle. A vertical mounting first rolls the housing by +90 deg about its x, so that
-  /// its y, towards which the head turns, points up: positive head angles look up.
+  /// its y, towards which the head turns, points up: positive head angles look up. A multibeam first pitches by 90 deg:
+  /// its acoustic axis x points down, z ahead.
   [[nodiscard]] Pose vehicle_from_sonar() const;
 
   /// How its beams turn from ping to ping.
@@ -228,6 +251,10 @@ struct SonarConfig {
   [[nodiscard]] static std::optional<SonarType> only_type(std::string_view field);
 
   [[nodiscard]] bool is_side_scan() const { return type == SonarType::kSideScan; }
+  [[nodiscard]] bool is_multibeam() const { return type == SonarType::kMultibeam; }
+
+  /// Whether its beams are cones whatever ReceiverConfig::beam_shape is: their line arrays look straight down too.
+  [[nodiscard]] bool has_cones() const { return is_side_scan() || is_multibeam(); }
 
   /// What its pings make.
   [[nodiscard]] Product product() const {

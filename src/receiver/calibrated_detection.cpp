@@ -82,6 +82,9 @@ void CalibratedReceiver::detect_tile(const EchoGrid& grid, const FormedBeams* fo
       detect_field(place.bin_count, reinterpret_cast<const float*>(&beams.field[start]), deviation, in_phase,
                    quadrature, real, imaginary, look);
     }
+    if (phase_) {
+      phase_->measure(place, beam, real, imaginary, adds_noise ? deviation : 0, ping);
+    }
     float received[kTileBins];
     std::copy_n(look, kTileBins, received);
     for (int i = 0; keeps_looks_ && i < place.bin_count; ++i) {

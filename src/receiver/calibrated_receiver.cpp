@@ -157,6 +157,9 @@ void CalibratedReceiver::form_beams(const EchoGrid& grid, Workers& workers) {
     if (!of_cells_.extended.empty()) {
       bearing_->receive_energy(of_cells_.extended, of_beams_.extended, bins_, bins, received);
     }
+    if (phase_) {
+      phase_->form(of_cells_.field, of_cells_.energy, bins);
+    }
   });
 }
 
@@ -171,6 +174,9 @@ void CalibratedReceiver::add_discrete_echoes(const EchoGrid& grid) {
   }
   if (!beams.energy.empty()) {
     discrete().add(grid.discrete_echoes(), beams.energy);
+  }
+  if (phase_) {
+    phase_->add(discrete(), grid.discrete_echoes());
   }
 }
 
@@ -209,6 +215,9 @@ void CalibratedReceiver::receive_leak() {
 void CalibratedReceiver::draw_noise(const Ping& ping, const Pose& world_from_sonar,
                                     std::span<const std::optional<Vec3>> thrusters, Workers& workers) {
   noise_->draw(ping.number, workers);
+  if (phase_) {
+    phase_->draw_noise(ping.number, workers);
+  }
   if (surface_noise_) {
     set_noise_levels(world_from_sonar, noise_deviation_);
   }
@@ -260,6 +269,7 @@ void CalibratedReceiver::receive(const EchoGrid& still, const FormedBeams* forme
   size_tables(ping, beams_, bins_, grid.ground_truth());
   ping.field.resize(has_field_ ? ping.intensity.size() : 0);
   ping.counts.resize(digitizer_ ? ping.intensity.size() : 0);
+  ping.phase.resize(phase_ ? ping.intensity.size() : 0);
   rows_.resize(std::max(rows_.size(), static_cast<std::size_t>(workers.count())));
 
   if (formed != nullptr) {

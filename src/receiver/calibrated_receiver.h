@@ -25,6 +25,7 @@
 #include "receiver/noise/surface_noise.h"
 #include "receiver/noise/thruster_noise.h"
 #include "receiver/output_tile.h"
+#include "receiver/phase_receiver.h"
 #include "receiver/ping_motion.h"
 #include "receiver/pulse/coarse_bins.h"
 #include "receiver/pulse/range_response.h"
@@ -64,6 +65,7 @@ struct Signals {
 ///   4. Pulse and array pattern (where bins are longer than the pulse: the energy of one look, see CoarseBins):
 ///   convolution along range with p and along bearing with g; energies with |p|^2, |g|^2.
 ///   5. Discrete echoes (ideal points, interference) are added to each beam and bin with the gain g p.
+///      Of a multibeam, the differences of the halves of its array are formed too, see PhaseReceiver.
 ///   6. Crosstalk: a share of all beams' echoes is added to each. Noise is added: a complex Gaussian field, independent
 ///   from ping to ping, with the correlation that array and matched filter give it (NoiseField, ThrusterNoise).
 ///   7. The transmit leak is added to the field; below `dead_range` nothing else is received.
@@ -117,6 +119,8 @@ class CalibratedReceiver {
   struct SetUp;  // calibrated_receiver_setup.cpp
   void set_up_array(SetUp& parts);
   void set_up_noise(const SetUp& parts);
+  [[nodiscard]] NoiseField::Settings noise_settings(const SetUp& parts) const;
+  void set_up_phase(const SetUp& parts);
   void set_up_speckle(const SetUp& parts);
   [[nodiscard]] bool is_flat() const;
   [[nodiscard]] FlatReceiver flattened() const;
@@ -174,6 +178,7 @@ class CalibratedReceiver {
   std::optional<CoarseBins> coarse_;  // With range_.
   bool keeps_looks_ = false;          // Whether intensities are transformed by CoarseBins::kept().
   std::shared_ptr<const BearingResponse> bearing_;
+  std::optional<PhaseReceiver> phase_;
   std::optional<NoiseField> noise_;
   std::optional<ThrusterNoise> thrusters_;  // With noise_.
   std::optional<ReceiverChannels> channels_;

@@ -108,6 +108,9 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
   if (receiver.noise) {
     set_up_noise(parts);
   }
+  if (sonar.is_multibeam() && bearing_) {
+    set_up_phase(parts);
+  }
   if (ReceiverChannels::differ_in(sonar)) {
     channels_.emplace(sonar);
   }
@@ -154,6 +157,29 @@ void CalibratedReceiver::set_up_array(SetUp& parts) {
                                         .elements = one_way.elements});
 }
 
+NoiseField::Settings CalibratedReceiver::noise_settings(const SetUp& parts) const {
+  // Beams of a lens have a transducer and an amplifier each, whose noises are independent.
+  const bool has_common_array = parts.perfect && parts.of.sonar.steering != Steering::kLens;
+  return {.beams = beams_,
+          .bins = bins_,
+          .pulse = parts.pulse,
+          .bin_length = parts.of.sonar.bin_length(),
+          .array = has_common_array ? &*parts.perfect : nullptr,
+          .length = parts.length,
+          .beam_sines = parts.beam_sines,
+          .seed = seed_};
+}
+
+void CalibratedReceiver::set_up_phase(const SetUp& parts) {
+  const SonarConfig& sonar = parts.of.sonar;
+  const bool shared = parts.of.like != nullptr && parts.of.like->phase_;
+  const NoiseField::Settings noise = noise_settings(parts);
+  phase_.emplace(shared ? parts.of.like->phase_->split()
+                        : std::make_shared<const SplitArray>(*parts.perfect, parts.length, parts.of.cells.grid.sines(),
+                                                             parts.beam_sines, FanPattern(sonar.element_width)),
+                 beams_, bins_, parts.of.receiver.speckle, noise_ ? &noise : nullptr);
+}
+
 void CalibratedReceiver::set_up_noise(const SetUp& parts) {
   const SonarConfig& sonar = parts.of.sonar;
   const ReceiverConfig& receiver = parts.of.receiver;
@@ -169,16 +195,7 @@ void CalibratedReceiver::set_up_noise(const SetUp& parts) {
   }
   isotropic_noise_ = static_cast<float>(noise_intensity(sonar, isotropic, parts.pulse));
   noise_deviation_.assign(static_cast<std::size_t>(beams_), std::sqrt(0.5F * isotropic_noise_));
-  // Beams of a lens have a transducer and an amplifier each, whose noises are independent.
-  const bool has_common_array = parts.perfect && sonar.steering != Steering::kLens;
-  noise_.emplace(NoiseField::Settings{.beams = beams_,
-                                      .bins = bins_,
-                                      .pulse = parts.pulse,
-                                      .bin_length = sonar.bin_length(),
-                                      .array = has_common_array ? &*parts.perfect : nullptr,
-                                      .length = parts.length,
-                                      .beam_sines = parts.beam_sines,
-                                      .seed = seed_});
+  noise_.emplace(noise_settings(parts));
   if (!parts.of.thrusters.empty()) {
     thrusters_.emplace(ThrusterNoise::Settings{.thrusters = parts.of.thrusters,
                                                .sonar = sonar,

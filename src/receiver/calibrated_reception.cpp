@@ -8,7 +8,7 @@ namespace insonify {
 
 bool CalibratedReceiver::is_flat() const {
   constexpr int kMostBins = 65535;  // Numbers of bins have 16 bits.
-  return speckle_ && !clutter_->any() && !sparse_->any() && !shift_ && !keeps_looks_ && bins_ <= kMostBins &&
+  return speckle_ && !clutter_->any() && !sparse_->any() && !shift_ && !keeps_looks_ && !phase_ && bins_ <= kMostBins &&
          (!bearing_ || bearing_->keeps_all());
 }
 

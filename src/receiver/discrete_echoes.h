@@ -7,6 +7,7 @@
 
 #include "echo/grid/echo_grid.h"
 #include "receiver/array/bearing_response.h"
+#include "receiver/array/split_array.h"
 #include "receiver/pulse/range_response.h"
 
 namespace insonify {
@@ -29,13 +30,20 @@ class DiscreteEchoes {
   void add(std::span<const DiscreteEcho> echoes, std::span<float> beams) const;
   void add(std::span<const DiscreteEcho> echoes, std::span<std::complex<float>> beams) const;
 
+  /// Adds d p x field to the differences between the halves of an array.
+  void add_differences(std::span<const DiscreteEcho> echoes, const SplitArray& split,
+                       std::span<std::complex<float>> differences) const;
+
   /// Adds only the direct echoes, those of path order 1.
   void add_direct(std::span<const DiscreteEcho> echoes, std::span<float> beams) const;
 
  private:
   void add_one(const DiscreteEcho& echo, std::span<float> beams) const;
-  template <typename Add>
-  void for_each_cell(const DiscreteEcho& echo, const Add& add) const;
+  [[nodiscard]] std::complex<double> gain(const DiscreteEcho& echo, int beam) const;
+  template <typename Gain, typename Add>
+  void for_each_cell(const DiscreteEcho& echo, const Gain& gain, const Add& add) const;
+  template <typename Gain>
+  void add_fields(std::span<const DiscreteEcho> echoes, const Gain& gain, std::span<std::complex<float>> beams) const;
 
   const BearingResponse* bearing_;
   const RangeResponse* range_;

@@ -97,9 +97,11 @@ RandomWalks::Settings walk_settings(const Scenario& scenario, const SonarConfig&
 // What a sonar's housing does after its apertures have received, they need not do: SideJoiner.
 SonarConfig config_of(const Scenario& scenario, const SonarConfig& sonar, int index) {
   SonarConfig config = sonar.aperture(index);
-  if (sonar.is_side_scan()) {
+  if (sonar.has_cones()) {
     config.receiver = scenario.receiver_of(sonar);
     config.receiver->beam_shape = BeamShape::kCone;  // A line along the track has it; it passes through straight down.
+  }
+  if (sonar.is_side_scan()) {
     config.receiver->counts = false;
     config.receiver->field = config.receiver->field || (sonar.crosstalk_db && config.receiver->speckle);
   }

@@ -115,10 +115,10 @@ void check_receivers(const Scenario& scenario) {
     check_beams(object, receiver, i, sonar);
     check_focus(receiver, i, sonar, scenario.water_at(sonar));
     check_pulse_band(object, receiver, i, sonar);
-    if (scenario.primary == PrimaryEchoes::kRaster && scenario.sonars[i].is_side_scan()) {
-      throw Error(
-          "", "primary",
-          fmt::format(" = raster does not draw the cones of sonars[{}], a side-scan sonar; auto or rays takes any", i));
+    if (scenario.primary == PrimaryEchoes::kRaster && scenario.sonars[i].has_cones()) {
+      throw Error("", "primary",
+                  fmt::format(" = raster does not draw the cones of sonars[{}], of type {}; auto or rays takes any", i,
+                              word_of(scenario.sonars[i].type)));
     }
     if (scenario.primary == PrimaryEchoes::kRaster && !scenario.has_even_rows(scenario.sonars[i])) {
       throw Error(

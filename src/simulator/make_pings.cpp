@@ -23,16 +23,16 @@ constexpr std::size_t kMostFrames = 16;
 // Where a request has an aperture of the sonar.
 PingView view_of(const SimulatedSonar& sonar, const Aperture& aperture, const PingRequest& request,
                  const Placement& placement) {
-  const Pose vehicle_from_aperture =
-      sonar.vehicle_from_housing * housing_from_head(sonar.head_angle(request)) * aperture.housing_from_aperture;
+  const Pose housing_from_aperture = housing_from_head(sonar.head_angle(request)) * aperture.housing_from_aperture;
+  const Pose world_from_aperture = sonar.world_from_beams(request) * housing_from_aperture;
   return {.plan = aperture.plan.get(),
-          .world_from_sonar = request.world_from_vehicle * vehicle_from_aperture,
+          .world_from_sonar = world_from_aperture,
           .placement = &placement,
           .layers = aperture.layers,
           .number = request.number,
           .time = request.time,
           .world_from_vehicle = request.world_from_vehicle,
-          .vehicle_from_sonar = vehicle_from_aperture};
+          .vehicle_from_sonar = sonar.vehicle_from_housing * housing_from_aperture};
 }
 
 void add_times(const std::vector<StepTime>& more, std::vector<StepTime>& sums) {
@@ -70,12 +70,13 @@ class Simulator::State::Receiver final : public EchoReceiver {
     ping.number = shot.request->number;
     ping.time = shot.request->time;
     ping.head_angle = shot.sonar->head_angle(*shot.request);
-    ping.world_from_sonar = shot.request->world_from_vehicle * shot.sonar->vehicle_from_housing;
+    ping.world_from_sonar = shot.sonar->world_from_beams(*shot.request);
     if (scenario.model == EchoModel::kPaper) {
       PaperReceiver(
           grid, aperture.config,
           {.model = scenario.paper, .noise = scenario.receiver_of(aperture.config).noise, .seed = aperture.seed}, ping)
           .receive(workers);
+      detect(shot);
       return;
     }
     const PingMotion motion = scenario.motion_in_ping
@@ -83,9 +84,17 @@ class Simulator::State::Receiver final : public EchoReceiver {
                                   : PingMotion{};
     aperture.receivers[worker]->receive(grid, formed, state_.displaced_[shot.order], from.world_from_sonar, motion,
                                         thrusters_in(*state_.sources_[view]), workers, ping);
+    detect(shot);
   }
 
  private:
+  static void detect(const Shot& shot) {
+    shot.ping->soundings.clear();
+    if (shot.sonar->detector) {
+      shot.sonar->detector->detect(*shot.ping, shot.ping->soundings);
+    }
+  }
+
   State& state_;
   std::size_t first_;
 };

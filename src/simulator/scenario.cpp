@@ -9,7 +9,7 @@ namespace insonify {
 
 bool Scenario::has_even_rows(const SonarConfig& sonar) const {
   const ReceiverConfig& own = receiver_of(sonar);
-  return model == EchoModel::kPaper || (own.beam_shape == BeamShape::kWedge && !sonar.is_side_scan() &&
+  return model == EchoModel::kPaper || (own.beam_shape == BeamShape::kWedge && !sonar.has_cones() &&
                                         sonar.elevation_pattern_beside(own) == BeamPattern::kTopHat &&
                                         sonar.sent_elevation_pattern(own) == BeamPattern::kTopHat);
 }

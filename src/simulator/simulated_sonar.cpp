@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "insonify/error.h"
+#include "sonar/stabilise.h"
 
 namespace insonify {
 namespace {
@@ -30,6 +31,11 @@ SimulatedSonar::SimulatedSonar(const Scenario& scenario, const SonarConfig& sona
     : config(scenario.filled_in(sonar)), vehicle_from_housing(config.vehicle_from_sonar()) {
   for (int index = 0; index < config.aperture_count(); ++index) {
     apertures.emplace_back(scenario, config, index, materials);
+  }
+  if (config.is_multibeam()) {
+    const Pulse pulse(config.transmitted(scenario.receiver_of(config)), *config.assumed_sound_speed,
+                      config.bin_length());
+    detector.emplace(config, BottomDetectionOptions{.resolution = pulse.equivalent_length()});
   }
   if (apertures.size() > 1) {
     joiner.emplace(config, scenario.model, scenario.receiver_of(config));
@@ -58,8 +64,15 @@ void SimulatedSonar::check(const PingRequest& request, bool moves) const {
 
 PingMotion SimulatedSonar::motion_while_listening(const PingRequest& request, const Pose& vehicle_from_head) const {
   const double time = listening_time();
-  const Pose later = moved_on(request.world_from_vehicle, request.twist, time);
-  return motion_between(request.world_from_vehicle * vehicle_from_head, later * vehicle_from_head, time);
+  const auto beams = [&](const Pose& world_from_vehicle) {
+    return stabilised(config, world_from_vehicle * vehicle_from_head, request.twist.linear);
+  };
+  return motion_between(beams(request.world_from_vehicle),
+                        beams(moved_on(request.world_from_vehicle, request.twist, time)), time);
+}
+
+Pose SimulatedSonar::world_from_beams(const PingRequest& request) const {
+  return stabilised(config, request.world_from_vehicle * vehicle_from_housing, request.twist.linear);
 }
 
 }  // namespace insonify

@@ -8,6 +8,7 @@
 
 #include "insonify/ping_request.h"
 #include "insonify/scenario.h"
+#include "insonify/survey/bottom_detection.h"
 #include "receiver/ping_motion.h"
 #include "receiver/side_joiner.h"
 #include "simulator/aperture.h"
@@ -28,6 +29,9 @@ struct SimulatedSonar {
     return request.head_angle.value_or(config.head_angle(request.number));
   }
 
+  /// Pose of the housing at a ping; of a stabilised multibeam that of its beams: stabilised().
+  [[nodiscard]] Pose world_from_beams(const PingRequest& request) const;
+
   /// Motion of the transducer from transmission to the last echo, steady and straight between the poses at both times.
   [[nodiscard]] PingMotion motion_while_listening(const PingRequest& request, const Pose& vehicle_from_head) const;
 
@@ -36,8 +40,9 @@ struct SimulatedSonar {
 
   SonarConfig config;  ///< With defaults filled in: see Scenario::filled_in().
   Pose vehicle_from_housing;
-  std::vector<Aperture> apertures;   ///< Those of config; their pings are made together.
-  std::optional<SideJoiner> joiner;  ///< With several: makes one ping of theirs.
+  std::vector<Aperture> apertures;         ///< Those of config; their pings are made together.
+  std::optional<SideJoiner> joiner;        ///< With several: makes one ping of theirs.
+  std::optional<BottomDetector> detector;  ///< Of a multibeam.
 };
 
 /// Pose of the head in its housing, turned about z.

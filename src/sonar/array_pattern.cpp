@@ -209,6 +209,26 @@ std::complex<double> ArrayPattern::amplitude(double x) const {
   return two_way_ ? one_way * one_way : one_way;
 }
 
+// Of a line, 2 x the integral of w(s) sin(2 pi x s) over s from 0 to 1/2.
+double ArrayPattern::difference(double x) const {
+  if (weights_.empty()) {
+    double sum = 0;
+    for (const WindowCosine& part : line_) {
+      for (const double y : {x + part.turns, x - part.turns}) {
+        sum += y == 0 ? 0 : part.share * (1 - std::cos(pi * y)) / (2 * pi * y);
+      }
+    }
+    return sum;
+  }
+  const auto count = static_cast<int>(weights_.size());
+  return sum_elements(count, x,
+                      [&](int n) {
+                        const int from_middle = count - 1 - 2 * n;  // Positive to port.
+                        return from_middle == 0 ? 0 : std::copysign(weights_[n], -from_middle);
+                      })
+      .imag();
+}
+
 ArrayPattern ArrayPattern::defocused(double edge_phase) const {
   ArrayPattern pattern = *this;
   pattern.defocused_.clear();

@@ -209,6 +209,26 @@ void check_sides(std::string_view object, const SonarConfig& sonar) {
   refuse(sonar.steering != Steering::kElectronic, "steering", ", whose beams are not steered");
 }
 
+// The fan of a multibeam looks down and reaches to both sides, but not to the horizontal.
+void check_swath(std::string_view object, const SonarConfig& sonar) {
+  if (!sonar.is_multibeam()) {
+    return;
+  }
+  constexpr double kWidest = radians_from_degrees(170);
+  if (sonar.azimuth_aperture > kWidest + kAngleSlack) {
+    fail(object, "azimuth_aperture_deg",
+         fmt::format(" = {} must be at most 170 deg for type mbes, whose swath is below it",
+                     degrees(sonar.azimuth_aperture)),
+         {"type"});
+  }
+  if (sonar.two_way_array) {
+    fail(object, "two_way_array", " = true makes one beam; this one's type is mbes, a cross of two arrays", {"type"});
+  }
+  if (sonar.beam_spacing == BeamSpacing::kEquidistant && !sonar.beam_azimuths.empty()) {
+    fail(object, "beam_spacing", " = equidistant has no effect beside beam_azimuths_deg", {"beam_azimuths_deg"});
+  }
+}
+
 void check_transducers(std::string_view object, const SonarConfig& sonar) {
   if (sonar.elevation_pattern == BeamPattern::kInstrument) {
     fail(object, "elevation_pattern", " = instrument must be top_hat or a window: it is the instrument's");
@@ -264,6 +284,7 @@ void SonarConfig::validate(std::string_view object) const {
   check_elevations(object, *this);
   check_head(object, *this);
   check_sides(object, *this);
+  check_swath(object, *this);
   check_pulse(object, *this);
   check_transducers(object, *this);
 }

@@ -18,6 +18,9 @@ std::optional<SonarType> SonarConfig::only_type(std::string_view field) {
   if (field == "step" || field == "sector_center" || field == "sector_width" || field == "mounting") {
     return SonarType::kMechanicallyScanned;
   }
+  if (field == "beam_spacing" || field.ends_with("_stabilised")) {
+    return SonarType::kMultibeam;
+  }
   return field == "depression" ? std::optional(SonarType::kSideScan) : std::nullopt;
 }
 
@@ -67,7 +70,9 @@ double SonarConfig::beam_azimuth(int beam) const {
   if (!beam_azimuths.empty()) {
     return beam_azimuths[static_cast<std::size_t>(beam)];
   }
-  return azimuth_aperture * (0.5 - (beam + 0.5) / beam_count);
+  const double place = 0.5 - (beam + 0.5) / beam_count;
+  return beam_spacing == BeamSpacing::kEquidistant ? std::atan(2 * place * std::tan(0.5 * azimuth_aperture))
+                                                   : azimuth_aperture * place;
 }
 
 Sampling SonarConfig::sampling_by_rule() const {
@@ -76,7 +81,9 @@ Sampling SonarConfig::sampling_by_rule() const {
   constexpr int kLeastRows = 128, kMostRows = 1024, kTogether = 16;  // Rows of a packet of rays.
   constexpr double kTallestRow = 2.0 / 70;  // Tangent from row to row, with which 170 degrees have some 800.
   const double columns = std::ceil(bearings().covered() / (beam_count * kColumn) - 1e-9);
-  const double rows = std::max(0.5 * bin_count, 2 * std::tan(0.5 * elevation_aperture) / kTallestRow);
+  // The bins of a multibeam are crossed from column to column; its rows sample the lobes along the track.
+  const double rows =
+      is_multibeam() ? 0 : std::max(0.5 * bin_count, 2 * std::tan(0.5 * elevation_aperture) / kTallestRow);
   const int packets = static_cast<int>(std::ceil(std::min<double>(rows, kMostRows) / kTogether));
   Sampling chosen = sampling;
   chosen.columns_per_beam =
@@ -91,9 +98,18 @@ BearingGrid SonarConfig::bearings() const {
     sides.add(BearingGrid::even(-kAbeam, azimuth_aperture, 1));
     return sides;
   }
-  const double middle = beam_azimuths.empty() ? 0 : beam_azimuths.front();
-  BearingGrid grid = beam_azimuths.size() < 2 ? BearingGrid::even(middle, azimuth_aperture, beam_count)
-                                              : BearingGrid::touching(beam_azimuths);
+  BearingGrid grid;
+  if (beam_azimuths.size() > 1) {
+    grid = BearingGrid::touching(beam_azimuths);
+  } else if (beam_spacing == BeamSpacing::kEquidistant && beam_count > 1) {
+    std::vector<double> centres;
+    for (int beam = 0; beam < beam_count; ++beam) {
+      centres.push_back(beam_azimuth(beam));
+    }
+    grid = BearingGrid::touching(centres);
+  } else {
+    grid = BearingGrid::even(beam_azimuths.empty() ? 0 : beam_azimuths.front(), azimuth_aperture, beam_count);
+  }
   for (int beam = 0; beam < grid.count() && !beam_widths.empty(); ++beam) {
     const double width = beam_widths[std::min<std::size_t>(beam, beam_widths.size() - 1)];
     grid.port[beam] = grid.centres[beam] + 0.5 * width;
@@ -119,6 +135,9 @@ Pose SonarConfig::vehicle_from_sonar() const {
   Pose pose{position, orientation_from_rpy(orientation.x(), orientation.y(), orientation.z())};
   if (head.mounting == Mounting::kVertical) {
     pose.orientation = pose.orientation * Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitX());
+  }
+  if (is_multibeam()) {
+    pose.orientation = pose.orientation * Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitY());
   }
   return pose;
 }

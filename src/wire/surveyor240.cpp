@@ -27,7 +27,7 @@ struct SurveyorSettings {
 };
 
 // A point of the bottom.
-struct Sounding {
+struct BottomPoint {
   double angle = 0;  // From straight down, positive to port [rad].
   double range = 0;  // [m]
 };
@@ -53,8 +53,8 @@ std::optional<double> range_of(const Ping& ping, const SonarConfig& sonar, int b
                                                                             : std::nullopt;
 }
 
-std::vector<Sounding> soundings_of(const Ping& ping, const SonarConfig& sonar) {
-  std::vector<Sounding> soundings;
+std::vector<BottomPoint> points_of(const Ping& ping, const SonarConfig& sonar) {
+  std::vector<BottomPoint> soundings;
   for (int beam = 0; beam < ping.beam_count; ++beam) {
     if (const std::optional<double> range = range_of(ping, sonar, beam)) {
       soundings.push_back({sonar.beam_azimuth(beam), *range});
@@ -108,9 +108,9 @@ class Surveyor240 : public PingStreamer {
   }
 
   [[nodiscard]] PingFrame yz_points(const Ping& ping, const SonarConfig& sonar, const Water& water, std::uint32_t now,
-                                    const std::vector<Sounding>& soundings) const;
+                                    const std::vector<BottomPoint>& soundings) const;
   [[nodiscard]] PingFrame atof_points(const Ping& ping, const SonarConfig& sonar, std::uint32_t now,
-                                      const std::vector<Sounding>& soundings) const;
+                                      const std::vector<BottomPoint>& soundings) const;
 
   SurveyorSettings settings_;
 };
@@ -142,7 +142,7 @@ bool Surveyor240::command(const PingFrame& frame) {
 }
 
 PingFrame Surveyor240::yz_points(const Ping& ping, const SonarConfig& sonar, const Water& water, std::uint32_t now,
-                                 const std::vector<Sounding>& soundings) const {
+                                 const std::vector<BottomPoint>& soundings) const {
   PingFrame frame{.id = kYzPointData, .source = 1};
   put(frame.payload, now, static_cast<std::uint32_t>(ping.number), settings_.sos_mps);
   put_vector(frame.payload, up_of(ping));
@@ -154,7 +154,7 @@ PingFrame Surveyor240::yz_points(const Ping& ping, const SonarConfig& sonar, con
   put(frame.payload, static_cast<float>(water.temperature_c), static_cast<float>(pressure_of(water)), 0.0F,
       static_cast<float>(sonar.min_range), static_cast<float>(sonar.max_range), std::uint16_t{0},
       static_cast<std::uint16_t>(soundings.size()));
-  for (const Sounding& sounding : soundings) {
+  for (const BottomPoint& sounding : soundings) {
     put(frame.payload, static_cast<float>(sounding.range * std::sin(sounding.angle)),
         static_cast<float>(-sounding.range * std::cos(sounding.angle)));
   }
@@ -162,14 +162,14 @@ PingFrame Surveyor240::yz_points(const Ping& ping, const SonarConfig& sonar, con
 }
 
 PingFrame Surveyor240::atof_points(const Ping& ping, const SonarConfig& sonar, std::uint32_t now,
-                                   const std::vector<Sounding>& soundings) const {
+                                   const std::vector<BottomPoint>& soundings) const {
   PingFrame frame{.id = kAtofPointData, .source = 1};
   put(frame.payload, now, std::uint64_t{0});  // UTC is not available.
   put(frame.payload, static_cast<float>(settings_.travel_time(sonar.max_range)), settings_.sos_mps,
       static_cast<std::uint32_t>(ping.number), static_cast<std::uint32_t>(sonar.frequency),
       static_cast<float>(pulse_of(sonar)), std::uint32_t{0}, static_cast<std::uint16_t>(soundings.size()),
       std::uint16_t{0});
-  for (const Sounding& sounding : soundings) {
+  for (const BottomPoint& sounding : soundings) {
     put(frame.payload, static_cast<float>(sounding.angle), static_cast<float>(settings_.travel_time(sounding.range)),
         std::uint32_t{0}, std::uint32_t{0});
   }
@@ -179,7 +179,7 @@ PingFrame Surveyor240::atof_points(const Ping& ping, const SonarConfig& sonar, s
 std::vector<PingFrame> Surveyor240::data(const Ping& ping, const SonarConfig& sonar, const Water& water,
                                          double time) const {
   const auto now = static_cast<std::uint32_t>(static_cast<std::uint64_t>(time / kMilliseconds));
-  const std::vector<Sounding> soundings = soundings_of(ping, sonar);
+  const std::vector<BottomPoint> soundings = points_of(ping, sonar);
   std::vector<PingFrame> frames;
   if (settings_.enable_yz) {
     frames.push_back(yz_points(ping, sonar, water, now, soundings));

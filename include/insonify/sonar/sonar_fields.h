@@ -16,8 +16,8 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
   visit(Field{"type",
               "",
               {},
-              "fls (the whole fan at once), msis (one beam, turned by a step each ping) or sss (side-scan: two beams, "
-              "to port and starboard)."},
+              "fls (the whole fan at once), msis (one beam, turned by a step each ping), sss (side-scan: two beams, "
+              "to port and starboard) or mbes (multibeam: a fan across the track, looking down, with soundings)."},
         self.type);
   visit(Field{"frequency", "Hz", above_to(0, 1e8), "Carrier frequency."}, self.frequency);
   visit(Field{"source_level_db", "dB", from_to(100, 260), "Source level re 1 uPa at 1 m, on the acoustic axis.",
@@ -56,6 +56,11 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
               "Centres of the beams, falling from port to starboard; they determine beam_count and azimuth_aperture. "
               "Evenly spaced in angle when absent."},
         self.beam_azimuths);
+  visit(Field{"beam_spacing",
+              "",
+              {},
+              "equiangular, or equidistant on a level bottom; for evenly spaced beams without beam_azimuths (mbes)."},
+        self.beam_spacing);
   visit(Field{"beam_widths", "rad", above_to(0, 2 * kPi),
               "Width of the azimuth slice of each beam, one value for all or one per beam. Slices narrower than the "
               "spacing leave gaps, from which nothing is received; beams touch when absent."},
@@ -195,6 +200,15 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
   visit(Field{"depression", "rad", from_to(0, radians_from_degrees(90)),
               "Angle of both sides' acoustic axes below the horizontal of the housing (sss)."},
         self.depression);
+  visit(Field{"roll_stabilised",
+              "",
+              {},
+              "Whether beams stay at their angles from the vertical, steered against the vehicle's roll (mbes)."},
+        self.roll_stabilised);
+  visit(Field{"pitch_stabilised", "", {}, "Whether the swath stays vertical, steered against its pitch (mbes)."},
+        self.pitch_stabilised);
+  visit(Field{"yaw_stabilised", "", {}, "Whether the swath stays across the course, steered against its yaw (mbes)."},
+        self.yaw_stabilised);
   visit(
       Field{"position", "m", coordinate(), "Position on the vehicle, or in the world without a trajectory: [x, y, z]."},
       self.position);

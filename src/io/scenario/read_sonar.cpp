@@ -65,7 +65,18 @@ void fit_to_beam_azimuths(const YamlValue& value, const std::string& object, Son
   }
 }
 
-// Keys of a scanning head, or of a side-scan sonar, have no effect on others.
+std::string_view owner_of(SonarType only) {
+  switch (only) {
+    case SonarType::kSideScan:
+      return "a side-scan sonar (type: sss)";
+    case SonarType::kMultibeam:
+      return "a multibeam (type: mbes)";
+    default:
+      return "a scanning sonar";
+  }
+}
+
+// Keys of one type of sonar have no effect on others.
 void refuse_keys_of_other_types(const YamlValue& value, const std::string& object, const SonarConfig& sonar) {
   for (const FieldEntry& field : table_of<SonarConfig>().fields) {
     const std::optional<SonarType> only = SonarConfig::only_type(field.name);
@@ -73,10 +84,8 @@ void refuse_keys_of_other_types(const YamlValue& value, const std::string& objec
       continue;
     }
     if (const YamlValue* given = value.find(file_name_of(field))) {
-      const std::string_view owner =
-          *only == SonarType::kSideScan ? "a side-scan sonar (type: sss)" : "a scanning sonar";
       throw Error(object, file_name_of(field),
-                  fmt::format(" belongs to {}; this one's type is {}", owner, word_of(sonar.type)))
+                  fmt::format(" belongs to {}; this one's type is {}", owner_of(*only), word_of(sonar.type)))
           .at(given->place);
     }
   }

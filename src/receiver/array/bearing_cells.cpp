@@ -29,15 +29,17 @@ double widest_slice(const BearingGrid& beams) {
   return slice;
 }
 
-// Cells per beam: `least`, or as many as make them no wider than half a beam in u, so that no echo lies between the
-// cells that the pattern receives. Sampled so densely, the sum of |g|^2 over cells is its integral.
-int cells_per_beam(const SonarConfig& fan, double slice, int least) {
+// Cells per beam: `least`, or as many as make them no wider than half a beam in u, a quarter with `split` arrays, so
+// that no echo lies between the cells that the pattern receives. Sampled so densely, the sum of |g|^2 over cells is its
+// integral.
+int cells_per_beam(const SonarConfig& fan, double slice, int least, bool split) {
   constexpr double kSlack = 1e-6;  // A slice of a whole number of half beams gets no more cells by rounding.
-  const double wanted = std::max<double>(least, std::ceil(slice / std::sin(0.5 * beam_width(fan)) - kSlack));
+  const double widest = std::sin((split ? 0.25 : 0.5) * beam_width(fan));
+  const double wanted = std::max<double>(least, std::ceil(slice / widest - kSlack));
   if (wanted > least && wanted * fan.beam_count > kMostCells) {
-    throw Error(fmt::format("{} beams as narrow as {:.4g} deg take {:.6g} cells of half a beam, must be at most {}",
+    throw Error(fmt::format("{} beams as narrow as {:.4g} deg take {:.6g} cells of {} beam, must be at most {}",
                             fan.beam_count, degrees_from_radians(beam_width(fan)), wanted * fan.beam_count,
-                            kMostCells));
+                            split ? "a quarter" : "half a", kMostCells));
   }
   return static_cast<int>(wanted);
 }
@@ -104,7 +106,7 @@ BearingCells::BearingCells(const SonarConfig& fan, const ReceiverConfig& receive
   const bool two_way = fan.is_two_way();
   const double slice = widest_slice(beams);
   const bool dense = slice <= kWidestSingle * std::sin(beam_width(fan));
-  per_beam = cells_per_beam(fan, slice, two_way ? per_two_way_beam : dense ? 1 : 2);
+  per_beam = cells_per_beam(fan, slice, two_way ? per_two_way_beam : dense ? 1 : 2, fan.is_multibeam());
   columns = std::max(1, (columns + per_beam - 1) / per_beam);
   if (two_way) {
     set_two_way(fan, two_way_reach(fan, receiver));
@@ -166,13 +168,13 @@ void BearingCells::set_fan(const SonarConfig& fan, double reach) {
   const double port_width = beams.width(0) / per_beam, starboard_width = beams.width(last) / per_beam;
   int to_port = guard_cells(beams.centres[0], beams.port[0], port_width, reach);
   int to_starboard = guard_cells(-beams.centres[last], -beams.starboard[last], starboard_width, reach);
-  if (fan.beam_azimuths.empty()) {
+  if (fan.has_even_beams()) {
     to_port = to_starboard = std::max(to_port, to_starboard);  // An even fan stays centred; they differ by rounding.
   }
   for (int beam = 0; beam < beams.count(); ++beam) {
     firsts.push_back(to_port + per_beam * beam);
   }
-  if (fan.beam_azimuths.empty()) {
+  if (fan.has_even_beams()) {
     grid = BearingGrid::even(0, fan.azimuth_aperture + (to_port + to_starboard) * port_width,
                              to_port + per_beam * beams.count() + to_starboard);
     return;

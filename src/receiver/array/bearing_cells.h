@@ -19,11 +19,13 @@ namespace insonify {
 /// spacing is at most kWidestSingle of their width, each has one cell. A gap between beams is filled with guard cells
 /// as far as the beams beside it reach.
 ///
+/// The beams of a multibeam have cells of a quarter of their width, from whose echoes the phase between the halves of
+/// the array follows.
+///
 /// The single beam of a two-way array, such as that of a scanning head, is divided into eight cells, that of
-/// a side-scan sonar into four. The grid extends
-/// by two beam widths on either side, and further to where the two-way pattern of the perfect array stays below
-/// kTwoWayFloorDb: in cells as narrow up to kNarrowNeighbours beam widths on either side, beyond in cells as wide as
-/// the beam, so that they take little time.
+/// a side-scan sonar into four. The grid extends by two beam widths on either side, and further to where the two-way
+/// pattern of the perfect array stays below kTwoWayFloorDb: in cells as narrow up to kNarrowNeighbours beam widths on
+/// either side, beyond in cells as wide as the beam, so that they take little time.
 struct BearingCells {
   /// Share of the pattern's energy that may lie outside the guard cells, for the outermost beam of a fan. Guard cells
   /// end at kGuardEnd even where more is lost.
@@ -40,6 +42,7 @@ struct BearingCells {
   static constexpr int kPerTwoWayBeam = 8;
   static constexpr int kPerSide = 4;
 
+  /// @param sonar             An aperture; a multibeam may be one.
   /// @param per_two_way_beam  Cells of the beam of a two-way array.
   /// @throws Error if beams narrower than their spacing take more than 32768 cells.
   BearingCells(const SonarConfig& sonar, const ReceiverConfig& receiver, int per_two_way_beam = kPerTwoWayBeam);

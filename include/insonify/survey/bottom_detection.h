@@ -1,0 +1,55 @@
+// bottom_detection.h -- finds the bottom in each beam of a multibeam's pings, by amplitude and by phase.
+
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "insonify/ping.h"
+#include "insonify/sonar_config.h"
+#include "insonify/sounding.h"
+
+namespace insonify {
+
+struct BeamEcho;
+struct Snippet;
+
+struct BottomDetectionOptions {
+  double least_range = 0;       ///< Nearest range at which a bottom is looked for [m], >= 0.
+  double greatest_range = 1e5;  ///< Farthest [m], > least_range.
+  double resolution = 0;        ///< Length along range over which echoes are one [m]: that of the pulse, as
+                                ///< Pulse::equivalent_length(); at least a bin.
+};
+
+/// Detects the bottom of pings (docs/concepts/multibeam.md). From the beams below the sonar outwards, each echo is
+/// looked for around the depth of the beams before it. In its snippet, where the smoothed intensity is within 10 dB of
+/// its peak, the bottom is where the intensity has its centre, or where a line through the phases of Ping::phase
+/// crosses 0, whichever is less uncertain (Lurton, An Introduction to Underwater Acoustics (2010), section 8.3).
+class BottomDetector {
+ public:
+  /// @throws Error for a sonar that is not a multibeam, and for options out of limits.
+  explicit BottomDetector(const SonarConfig& sonar, const BottomDetectionOptions& options = {});
+
+  /// The bottom in each beam; not found where no echo is 10 dB above the beam's median and where a beam looks up.
+  /// @throws Error for a ping of another shape than the sonar's.
+  [[nodiscard]] std::vector<Sounding> detect(const Ping& ping) const;
+
+  /// The same into a vector that is used again.
+  void detect(const Ping& ping, std::vector<Sounding>& soundings) const;
+
+ private:
+  void set(Sounding& sounding, std::span<const float> intensity, const BeamEcho& echo) const;
+  [[nodiscard]] Snippet gate(double depth, double cosine) const;
+
+  SonarConfig sonar_;
+  BearingGrid beams_;
+  int first_bin_, last_bin_;  // Searched: [first, last).
+  int resolution_, smooth_;   // Bins that are one sample; length of the moving mean [bins], odd.
+};
+
+/// Position of a sounding in the world, along a straight ray.
+/// @param world_from_sonar  Pose of the beams: Ping::world_from_sonar.
+/// @param range_scale       True range / range shown: true sound speed / assumed.
+[[nodiscard]] Vec3 position_of(const Sounding& sounding, const Pose& world_from_sonar, double range_scale = 1);
+
+}  // namespace insonify

@@ -1,0 +1,190 @@
+// bottom_detection.cpp -- follows the bottom from beam to beam, and measures its range in each.
+
+#include "insonify/survey/bottom_detection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "insonify/error.h"
+#include "insonify/field.h"
+#include "receiver/ping_table.h"
+#include "survey/beam_echo.h"
+
+namespace insonify {
+namespace {
+
+constexpr double kLeastCosine = 0.08;  // Beams within some 5 degrees of the horizontal, or above it, see no bottom.
+constexpr float kLeastContrast = 10;   // Of a peak, re the median of the beam's smoothed intensities.
+constexpr double kLeastDepth = 0.6, kGreatestDepth = 1.7;  // From a beam to the next ones, re the depth before.
+constexpr std::size_t kBefore = 5;                         // Beams whose median depth is that before.
+
+// A ping as rows of beams: copied once, since detection reads along range.
+struct Rows {
+  explicit Rows(const Ping& ping) : bins(ping.bin_count), intensity(ping.intensity.size()), phase(ping.phase.size()) {
+    const auto transpose = [&](const std::vector<float>& from, std::vector<float>& to) {
+      for (int bin = 0; bin < ping.bin_count && !from.empty(); ++bin) {
+        for (int beam = 0; beam < ping.beam_count; ++beam) {
+          to[static_cast<std::size_t>(beam) * bins + bin] = from[ping.index(bin, beam)];
+        }
+      }
+    };
+    transpose(ping.intensity, intensity);
+    transpose(ping.phase, phase);
+  }
+
+  [[nodiscard]] std::span<const float> of(const std::vector<float>& table, int beam) const {
+    return table.empty() ? std::span<const float>()
+                         : std::span(table).subspan(static_cast<std::size_t>(beam) * bins, bins);
+  }
+
+  std::size_t bins;
+  std::vector<float> intensity, phase;
+};
+
+void smooth(std::span<const float> row, int length, std::vector<float>& smoothed) {
+  const int bins = static_cast<int>(row.size()), half = length / 2;
+  smoothed.resize(row.size());
+  double sum = 0;
+  for (int i = 0; i < std::min(half, bins); ++i) {
+    sum += row[i];
+  }
+  for (int i = 0; i < bins; ++i) {
+    sum += i + half < bins ? row[i + half] : 0;
+    sum -= i - half > 0 ? row[i - half - 1] : 0;
+    smoothed[i] = static_cast<float>(std::max(0.0, sum) / length);
+  }
+}
+
+float median_of(std::span<const float> values, std::vector<float>& scratch) {
+  scratch.assign(values.begin(), values.end());
+  const auto middle = scratch.begin() + static_cast<std::ptrdiff_t>(scratch.size() / 2);
+  std::nth_element(scratch.begin(), middle, scratch.end());
+  return *middle;
+}
+
+// Depths below the sonar of the beams found last.
+class Depths {
+ public:
+  void add(double depth) {
+    depths_.push_back(depth);
+    if (depths_.size() > kBefore) {
+      depths_.erase(depths_.begin());
+    }
+  }
+  [[nodiscard]] double median() const {  // 0 without any.
+    if (depths_.empty()) {
+      return 0;
+    }
+    std::vector<double> sorted = depths_;
+    std::ranges::sort(sorted);
+    return sorted[sorted.size() / 2];
+  }
+
+ private:
+  std::vector<double> depths_;
+};
+
+}  // namespace
+
+BottomDetector::BottomDetector(const SonarConfig& sonar, const BottomDetectionOptions& options)
+    : sonar_(sonar), beams_(sonar.bearings()) {
+  constexpr double kFarthest = 1e5;
+  if (!sonar.is_multibeam()) {
+    throw Error(sonar.name + " is not a multibeam (type: mbes), which soundings need");
+  }
+  check_field("", {"least_range", "m", from_to(0, kFarthest), ""}, options.least_range);
+  check_field("", {"greatest_range", "m", above_to(options.least_range, kFarthest), ""}, options.greatest_range);
+  check_field("", {"resolution", "m", from_to(0, kFarthest), ""}, options.resolution);
+  const auto bin_of = [&](double range) {
+    return static_cast<int>(std::clamp((range - sonar.min_range) / sonar.bin_length(), 0.0, 1.0 * sonar.bin_count));
+  };
+  const double nearest = std::max({options.least_range, sonar.dead_range, sonar.blanking_range});
+  first_bin_ = bin_of(nearest);
+  last_bin_ = std::max(first_bin_, bin_of(options.greatest_range));
+  constexpr int kLeastSmooth = 3;
+  const int bins = static_cast<int>(std::ceil(options.resolution / sonar.bin_length() - 1e-6));
+  resolution_ = std::max(1, bins);
+  smooth_ = std::max(kLeastSmooth, bins) | 1;
+}
+
+std::vector<Sounding> BottomDetector::detect(const Ping& ping) const {
+  std::vector<Sounding> soundings;
+  detect(ping, soundings);
+  return soundings;
+}
+
+// Writes what was found in a beam.
+void BottomDetector::set(Sounding& sounding, std::span<const float> intensity, const BeamEcho& echo) const {
+  const double range = sonar_.min_range + echo.range.place * sonar_.bin_length();
+  const double deviation = echo.range.deviation * sonar_.bin_length();
+  double sum = 0;
+  for (int bin = echo.snippet.begin; bin < echo.snippet.end; ++bin) {
+    sum += intensity[bin];
+  }
+  sounding.detection = echo.by_phase ? Detection::kPhase : Detection::kAmplitude;
+  sounding.range = static_cast<float>(range);
+  sounding.uncertainty = static_cast<float>(deviation);
+  sounding.quality = static_cast<float>(std::max(0.0, std::log10(range / deviation)));
+  sounding.snippet_begin = echo.snippet.begin;
+  sounding.snippet_end = echo.snippet.end;
+  sounding.intensity = static_cast<float>(sum / (echo.snippet.end - echo.snippet.begin));
+}
+
+// Bins that are searched in a beam: around the depth before, or all.
+Snippet BottomDetector::gate(double depth, double cosine) const {
+  if (!(depth > 0)) {
+    return {first_bin_, last_bin_};
+  }
+  const auto bin_of = [&](double range) {
+    const double bin = (range - sonar_.min_range) / sonar_.bin_length();
+    return static_cast<int>(std::clamp(bin, 1.0 * first_bin_, 1.0 * last_bin_));
+  };
+  return {bin_of(kLeastDepth * depth / cosine), bin_of(kGreatestDepth * depth / cosine)};
+}
+
+void BottomDetector::detect(const Ping& ping, std::vector<Sounding>& soundings) const {
+  check_ping(ping, sonar_);
+  soundings.assign(static_cast<std::size_t>(ping.beam_count), Sounding());
+  const Rows rows(ping);
+  std::vector<float> smoothed, scratch;
+  const Vec3 down = ping.world_from_sonar.orientation.conjugate() * -Vec3::UnitZ();
+  std::vector<double> cosines;
+  for (int beam = 0; beam < ping.beam_count; ++beam) {
+    const double azimuth = beams_.centres[beam];
+    cosines.push_back(std::cos(azimuth) * down.x() + std::sin(azimuth) * down.y());
+    soundings[beam].azimuth = static_cast<float>(azimuth);
+  }
+  const auto detect_beam = [&](int beam, Depths& depths) {
+    const Snippet gate = this->gate(depths.median(), cosines[beam]);
+    if (cosines[beam] < kLeastCosine || gate.begin >= gate.end) {
+      return;
+    }
+    const std::span<const float> intensity = rows.of(rows.intensity, beam);
+    smooth(intensity, smooth_, smoothed);
+    const float median = median_of(std::span(smoothed).subspan(first_bin_, last_bin_ - first_bin_), scratch);
+    const BeamRow row{intensity, smoothed, rows.of(rows.phase, beam), resolution_};
+    if (const auto echo = find_echo(row, gate, kLeastContrast * median, beams_.centres[beam] > 0)) {
+      set(soundings[beam], intensity, *echo);
+      depths.add(double{soundings[beam].range} * cosines[beam]);
+    }
+  };
+
+  const int middle = static_cast<int>(std::ranges::max_element(cosines) - cosines.begin());
+  Depths below;
+  detect_beam(middle, below);
+  Depths to_port = below, to_starboard = below;
+  for (int beam = middle - 1; beam >= 0; --beam) {
+    detect_beam(beam, to_port);
+  }
+  for (int beam = middle + 1; beam < ping.beam_count; ++beam) {
+    detect_beam(beam, to_starboard);
+  }
+}
+
+Vec3 position_of(const Sounding& sounding, const Pose& world_from_sonar, double range_scale) {
+  const double range = range_scale * double{sounding.range}, azimuth = double{sounding.azimuth};
+  return world_from_sonar * Vec3(range * std::cos(azimuth), range * std::sin(azimuth), 0);
+}
+
+}  // namespace insonify

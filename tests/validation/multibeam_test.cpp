@@ -1,0 +1,285 @@
+// multibeam_test.cpp -- pings of multibeams against closed forms and quadratures: level of the bed in each beam,
+// pattern of the crossed arrays, phase between the halves, depths over level and inclined beds, stabilisation.
+
+#include <algorithm>
+#include <numeric>
+
+#include "insonify/error.h"
+#include "insonify/survey/bottom_detection.h"
+#include "validation/calibrated_scene.h"
+#include "validation/decibels.h"
+#include "validation/pi.h"
+
+namespace insonify::validation::multibeam_test {
+namespace {
+
+constexpr Method kMethods[] = {kRays, kReference};
+constexpr double kHeight = 11.7;
+constexpr double kSincWidth = 0.8858929413781328;  // Full width of sinc^2 at half power.
+
+double sinc2(double x) {
+  return std::abs(x) < 1e-9 ? 1 : std::pow(std::sin(kPi * x) / (kPi * x), 2);
+}
+
+// Length in wavelengths of a line whose sinc^2 is so wide at half power.
+double length_of(double width) {
+  return kSincWidth / (2 * std::sin(0.5 * width));
+}
+
+SonarConfig multibeam() {
+  SonarConfig sonar;
+  sonar.type = SonarType::kMultibeam;
+  sonar.frequency = 330e3;
+  sonar.beam_count = 61;
+  sonar.azimuth_aperture = 122 * kDegree;
+  sonar.elevation_aperture = 24 * kDegree;
+  sonar.transmit_elevation_aperture = 1.4 * kDegree;
+  sonar.min_range = 0;
+  sonar.max_range = 30;
+  sonar.bin_count = 600;
+  return sonar;
+}
+
+SonarConfig crossed_lines() {
+  SonarConfig sonar = multibeam();
+  sonar.elevation_pattern = BeamPattern::kRectangular;
+  sonar.transmit_elevation_pattern = BeamPattern::kRectangular;
+  sonar.azimuth_resolution = 2 * kDegree;
+  return sonar;
+}
+
+Scenario with_arrays(const SonarConfig& sonar, const Method& method = kRays) {
+  Scenario scenario = calibrated(sonar, method);
+  scenario.receiver.azimuth_pattern = BeamPattern::kRectangular;
+  return scenario;
+}
+
+Ping ping_at(const Scenario& scenario, const Scene& scene, const Vec3& position = Vec3::Zero(),
+             const Vec3& rpy = Vec3::Zero(), const Vec3& velocity = Vec3::Zero()) {
+  PingRequest request;
+  request.world_from_vehicle = {position, orientation_from_rpy(rpy.x(), rpy.y(), rpy.z())};
+  request.twist.linear = velocity;
+  return Simulator(scenario, scene, 2).ping(0, request);
+}
+
+double beam_sum(const Ping& ping, int beam) {
+  double sum = 0;
+  for (int bin = 0; bin < ping.bin_count; ++bin) {
+    sum += static_cast<double>(ping.intensity[ping.index(bin, beam)]);
+  }
+  return sum;
+}
+
+// With sines y across and z along the track, x^2 = 1 - y^2 - z^2, an element dy dz of directions has the solid angle
+// dy dz / x and meets r^2 / x of a level bed at r = h / x: mu x^2 r^2 / x^2 / r^4 = mu x^2 / h^2 per dy dz (PHYSICS:
+// Lambert's law, spherical spreading).
+template <typename Gain>
+double bed_energy(double lambert_db, const Gain& gain) {
+  constexpr int kAcross = 2400, kAlong = 600;
+  constexpr double kReach = 0.25;
+  double sum = 0;
+  for (int i = 0; i < kAcross; ++i) {
+    const double y = -1 + 2 * (i + 0.5) / kAcross;
+    for (int k = 0; k < kAlong; ++k) {
+      const double z = kReach * (2 * (k + 0.5) / kAlong - 1), squares = 1 - y * y - z * z;
+      sum += squares > 0 ? squares * gain(y, z) : 0;
+    }
+  }
+  return linear(lambert_db) * sum * (2.0 / kAcross) * (2 * kReach / kAlong) / (kHeight * kHeight);
+}
+
+class MultibeamTest : public testing::TestWithParam<Method> {};
+
+// Top hats: within a footprint a bin receives mu w_z x^2 / (r^3 y) dr, and a beam in all the integral over its slice.
+TEST_P(MultibeamTest, LevelOfTheBedFollowsTheAngle) {
+  const SonarConfig sonar = multibeam();
+  const Ping ping = ping_at(calibrated(sonar, GetParam()), seabed_at(-kHeight, diffuse(-21)));
+  const double along = 2 * std::sin(0.7 * kDegree);
+  for (const int beam : {3, 9, 17, 44, 52, 58}) {
+    const double azimuth = std::abs(sonar.beam_azimuth(beam)), half = 1 * kDegree;
+    const auto sines = [&](double b) { return std::sin(b) - std::pow(std::sin(b), 3) / 3; };
+    const double whole = linear(-21) * along * (sines(azimuth + half) - sines(azimuth - half)) / (kHeight * kHeight);
+    EXPECT_NEAR(db(beam_sum(ping, beam)), db(whole), 0.15) << beam;
+    const int bin = static_cast<int>(kHeight / std::cos(azimuth) / sonar.bin_length());
+    const double r = sonar.bin_range(bin), x = kHeight / r;
+    const double level = linear(-21) * along * x * x / (r * r * r * std::sqrt(1 - x * x)) * sonar.bin_length();
+    EXPECT_NEAR(cell_db(ping, bin, beam), db(level), 0.3) << beam;
+    EXPECT_NEAR(ping.elevation[ping.index(bin, beam)], 0, 0.3 * kDegree) << beam;
+  }
+}
+
+TEST_P(MultibeamTest, CrossedLinesHaveTheLevelOfTheSonarEquation) {
+  SonarConfig sonar = crossed_lines();
+  sonar.transmit_width = 100 * kDegree;
+  const Ping ping = ping_at(with_arrays(sonar, GetParam()), seabed_at(-kHeight, diffuse(-21)));
+  const double across = length_of(2 * kDegree), sent = length_of(1.4 * kDegree), received = length_of(24 * kDegree);
+  const double fan = length_of(100 * kDegree);
+  for (const int beam : {6, 13, 22, 30, 41, 55}) {
+    const double u0 = std::sin(sonar.beam_azimuth(beam));
+    const double whole = bed_energy(-21, [&](double y, double z) {
+      return sinc2(across * (y - u0)) * sinc2(fan * y) * sinc2(sent * z) * sinc2(received * z);
+    });
+    EXPECT_NEAR(db(beam_sum(ping, beam)), db(whole), 0.3) << beam;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, MultibeamTest, testing::ValuesIn(kMethods),
+                         [](const auto& info) { return info.param.name; });
+
+// A point swept across a beam one way and along it both ways, side lobes included.
+TEST(MultibeamPatternTest, IsThatOfTheCrossedLines) {
+  const SonarConfig sonar = crossed_lines();
+  const double across = length_of(2 * kDegree), sent = length_of(1.4 * kDegree), received = length_of(24 * kDegree);
+  constexpr int kBeam = 39;
+  constexpr double kRange = 17.3;
+  const double u0 = std::sin(sonar.beam_azimuth(kBeam));
+  const auto level_at = [&](double y, double z) {
+    Scenario scenario = with_arrays(sonar);
+    const double x = std::sqrt(1 - y * y - z * z);
+    scenario.points = {{.position = kRange * Vec3(z, y, -x), .target_strength_db = -14}};
+    return db(beam_sum(ping_at(scenario, Scene{}), kBeam)) + 14 + 40 * std::log10(kRange);
+  };
+  for (const double step : {0.0, 0.31, 0.44, 0.8, 1.43, 2.46, 3.47, 4.3, 6.52, 10.4, 20.47}) {
+    EXPECT_NEAR(level_at(u0 - step / across, 0), db(sinc2(step)), 0.1) << "across " << step;
+  }
+  for (const double step : {0.0, 0.31, 0.44, 0.8, 1.43, 2.46, 3.47, 4.3, 6.52}) {
+    const double z = step / sent, level = db(sinc2(step) * sinc2(received * z));
+    if (level > -40) {
+      EXPECT_NEAR(level_at(u0, z), level, 0.1) << "along " << step;
+      EXPECT_NEAR(level_at(u0 - 0.43 / across, -z), level + db(sinc2(0.43)), 0.1) << "off both axes " << step;
+    }
+  }
+}
+
+// Between the halves of a uniform line the phase is pi x, x = D / wavelength (u - u0).
+TEST(MultibeamPhaseTest, OfAPointIsPiTimesItsPlaceInTheBeam) {
+  const SonarConfig sonar = crossed_lines();
+  const double across = length_of(2 * kDegree);
+  constexpr double kRange = 14.21;
+  for (const bool speckle : {false, true}) {
+    for (const int beam : {4, 30, 51}) {
+      for (const double x : {-0.71, -0.2, 0.0, 0.33, 0.86}) {
+        Scenario scenario = with_arrays(sonar);
+        scenario.receiver.speckle = speckle;
+        const double y = std::sin(sonar.beam_azimuth(beam)) + x / across;
+        scenario.points = {{.position = kRange * Vec3(0, y, -std::sqrt(1 - y * y)), .target_strength_db = -14}};
+        const Ping ping = ping_at(scenario, Scene{});
+        const int bin = static_cast<int>(kRange / sonar.bin_length());
+        const double phase = speckle ? static_cast<double>(ping.phase[ping.index(bin, beam)]) : kPi * x;
+        EXPECT_NEAR(phase, kPi * x, 2e-3) << beam << " " << x;
+      }
+    }
+  }
+}
+
+// On a level bed the phase crosses 0 where the beam's axis meets it.
+TEST(MultibeamPhaseTest, CrossesZeroOnTheAxis) {
+  SonarConfig sonar = crossed_lines();
+  sonar.bin_count = 1500;
+  for (const bool speckle : {false, true}) {
+    Scenario scenario = with_arrays(sonar);
+    scenario.receiver.speckle = speckle;
+    const Ping ping = ping_at(scenario, seabed_at(-kHeight, diffuse(-21)));
+    for (const int beam : {5, 12, 47, 56}) {
+      const Sounding& sounding = ping.soundings[static_cast<std::size_t>(beam)];
+      const double azimuth = sonar.beam_azimuth(beam), range = kHeight / std::cos(azimuth);
+      EXPECT_EQ(sounding.detection, Detection::kPhase) << beam;
+      const double footprint = range * std::abs(std::tan(azimuth)) * 2 * kDegree;
+      EXPECT_NEAR(sounding.range, range, (speckle ? 0.15 : 0.04) * footprint) << beam;
+    }
+  }
+}
+
+// Depths of all beams over a level bed: straight below within .1 %, outside within a share of the footprint.
+TEST(MultibeamDepthTest, IsThatOfALevelBed) {
+  SonarConfig sonar = crossed_lines();
+  sonar.bin_count = 2000;
+  sonar.beam_spacing = BeamSpacing::kEquidistant;
+  sonar.pulse = PulseKind::kLfm;
+  sonar.pulse_duration = 400e-6;
+  sonar.pulse_bandwidth = 40e3;
+  sonar.pulse_window = PulseWindow::kHann;
+  Scenario scenario = with_arrays(sonar);
+  scenario.receiver.pulse = PulseKind::kInstrument;
+  scenario.receiver.azimuth_pattern = BeamPattern::kTaylor;
+  scenario.receiver.speckle = true;
+  const Ping ping = ping_at(scenario, seabed_at(-kHeight, diffuse(-21)));
+  double nearest = 90 * kDegree;
+  int straight = -1;
+  double worst = 0;
+  for (int beam = 0; beam < ping.beam_count; ++beam) {
+    const Sounding& sounding = ping.soundings[static_cast<std::size_t>(beam)];
+    ASSERT_TRUE(sounding.found()) << beam;
+    const double azimuth = std::abs(static_cast<double>(sounding.azimuth));
+    const Vec3 at = position_of(sounding, ping.world_from_sonar);
+    EXPECT_NEAR(at.x(), 0, 1e-3);
+    worst = std::max(worst, std::abs(at.z() + kHeight));
+    const double footprint = kHeight * std::sin(azimuth) / std::pow(std::cos(azimuth), 2) * 2 * kDegree;
+    EXPECT_NEAR(at.z(), -kHeight, 0.02 + 0.25 * footprint) << beam;
+    EXPECT_GT(at.y() * static_cast<double>(sounding.azimuth), -1e-3);
+    if (azimuth < nearest) {
+      nearest = azimuth;
+      straight = beam;
+    }
+  }
+  const Vec3 below = position_of(ping.soundings[static_cast<std::size_t>(straight)], ping.world_from_sonar);
+  EXPECT_NEAR(below.z(), -kHeight, 0.001 * kHeight);
+  RecordProperty("worst_mm", static_cast<int>(1000 * worst));
+}
+
+// The vehicle's attitude is taken out where the sonar is stabilised: soundings lie where they would without it.
+TEST(MultibeamStabilisationTest, HoldsTheSwath) {
+  SonarConfig sonar = crossed_lines();
+  sonar.bin_count = 1500;
+  const Vec3 rpy(6 * kDegree, -4 * kDegree, 9 * kDegree);
+  const auto swath = [&](bool roll, bool pitch, bool yaw) {
+    SonarConfig held = sonar;
+    held.roll_stabilised = roll;
+    held.pitch_stabilised = pitch;
+    held.yaw_stabilised = yaw;
+    const Ping ping = ping_at(with_arrays(held), seabed_at(-kHeight, diffuse(-21)), Vec3::Zero(), rpy, Vec3(1.5, 0, 0));
+    std::vector<Vec3> points;
+    for (const int beam : {8, 30, 52}) {
+      points.push_back(position_of(ping.soundings[static_cast<std::size_t>(beam)], ping.world_from_sonar));
+    }
+    return points;
+  };
+  const std::vector<Vec3> held = swath(true, true, true), free = swath(false, false, false);
+  const double out = kHeight * std::tan(44 * kDegree);
+  EXPECT_NEAR(held[0].y(), out, 0.1);
+  EXPECT_NEAR(held[2].y(), -out, 0.1);
+  for (const Vec3& point : held) {
+    EXPECT_NEAR(point.x(), 0, 1e-6);
+    EXPECT_NEAR(point.z(), -kHeight, 0.1);
+  }
+  // Without: port rises by the roll, the swath looks ahead by the pitch (nose up) and lies across the yaw.
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    const double across = (i == 0 ? 44 : i == 1 ? 0 : -44) * kDegree;
+    const Vec3 beam = orientation_from_rpy(rpy.x(), rpy.y(), rpy.z()) * Vec3(0, std::sin(across), -std::cos(across));
+    const Vec3 expected = beam * (-kHeight / beam.z());
+    EXPECT_NEAR((free[i] - expected).norm(), 0, 0.15) << i;
+  }
+}
+
+// Refused by name.
+TEST(MultibeamSettingsTest, RefusesWhatItsTypeCannotHave) {
+  const auto message_of = [](const auto& change) {
+    SonarConfig sonar = multibeam();
+    change(sonar);
+    try {
+      sonar.validate();
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(message_of([](SonarConfig&) {}), "");
+  EXPECT_NE(message_of([](SonarConfig& sonar) { sonar.azimuth_aperture = 171 * kDegree; }).find("azimuth_aperture_deg"),
+            std::string::npos);
+  EXPECT_NE(message_of([](SonarConfig& sonar) { sonar.two_way_array = true; }).find("two_way_array"),
+            std::string::npos);
+  EXPECT_THROW(BottomDetector(SonarConfig{}), Error);
+}
+
+}  // namespace
+}  // namespace insonify::validation::multibeam_test
