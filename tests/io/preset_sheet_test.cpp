@@ -20,6 +20,7 @@ struct Sheet {
   int beams;
   double azimuth, elevation;  // Full apertures [deg].
   double near, far;           // [m]
+  bool sounds = false;        // Whether it is a multibeam that sounds the bottom.
 };
 
 // Data sheets of the presets' instruments, row by row; Oculus M1200d and ARIS from their manuals.
@@ -67,6 +68,12 @@ constexpr Sheet kSheets[] = {
     {"starfish-990f", "", 1000e3, 2, .3, 60, .5, 35},
     {"deepvision-de680", "", 680e3, 2, .7, 60, .8, 100},
     {"marinesonic-arc-scout", "900khz", 900e3, 2, .4, 50, .8, 75},
+    {"r2sonic-2024", "200khz", 200e3, 256, 130, 20, 2, 500, true},
+    {"r2sonic-2024", "400khz", 400e3, 256, 130, 20, 2, 200, true},
+    {"kongsberg-em2040", "300khz", 300e3, 256, 140, 20, .5, 400, true},
+    {"norbit-iwbms", "400khz", 400e3, 256, 140, 20, .2, 275, true},
+    {"reson-seabat-t50-p", "400khz", 400e3, 512, 150, 20, .5, 250, true},
+    {"cerulean-surveyor-240-16", "", 240e3, 64, 80, 30, .5, 150, true},
 };
 
 class SheetTest : public testing::TestWithParam<Sheet> {};
@@ -80,7 +87,8 @@ TEST_P(SheetTest, PresetHasItsNumbers) {
   EXPECT_NEAR(degrees_from_radians(sonar.elevation_aperture), sheet.elevation, kSheetTolerance);
   EXPECT_NEAR(sonar.min_range, sheet.near, kSheetTolerance);
   EXPECT_NEAR(sonar.max_range, sheet.far, kSheetTolerance);
-  EXPECT_EQ(sonar.type, sheet.beams == 1   ? SonarType::kMechanicallyScanned
+  EXPECT_EQ(sonar.type, sheet.sounds       ? SonarType::kMultibeam
+                        : sheet.beams == 1 ? SonarType::kMechanicallyScanned
                         : sheet.beams == 2 ? SonarType::kSideScan
                                            : SonarType::kForwardLooking);
 }

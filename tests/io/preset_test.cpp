@@ -27,8 +27,9 @@ TEST(PresetTest, EveryInstrumentOfTheListIsThere) {
   EXPECT_THAT(
       preset_names(),
       ElementsAre("blueprint-oculus-m1200d", "blueprint-oculus-m3000d", "blueprint-oculus-m370s",
-                  "blueprint-oculus-m750d", "bluerobotics-ping360", "deepvision-de680", "edgetech-4125",
-                  "edgetech-4200", "imagenex-881a", "klein-3500", "kongsberg-m3", "marinesonic-arc-scout",
+                  "blueprint-oculus-m750d", "bluerobotics-ping360", "cerulean-surveyor-240-16", "deepvision-de680",
+                  "edgetech-4125", "edgetech-4200", "imagenex-881a", "klein-3500", "kongsberg-em2040", "kongsberg-m3",
+                  "marinesonic-arc-scout", "norbit-iwbms", "r2sonic-2024", "reson-seabat-t50-p",
                   "soundmetrics-aris-explorer-1800", "soundmetrics-aris-explorer-3000", "soundmetrics-didson",
                   "starfish-452f", "starfish-990f", "teledyne-blueview-m900-2250", "teledyne-blueview-p900-130",
                   "teledyne-blueview-p900-45", "tritech-gemini-1200ik", "tritech-gemini-720i", "tritech-gemini-720im",

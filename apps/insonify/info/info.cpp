@@ -36,6 +36,7 @@ void print_sonar(const RecordedSonar& sonar) {
       config.frequency / 1000,
       config.scans()          ? ", scanning"
       : config.is_side_scan() ? ", side-scan"
+      : config.is_multibeam() ? ", multibeam"
                               : "");
   if (sonar.levels) {
     say("    intensity from levels of {}\n", sonar.levels->text);
