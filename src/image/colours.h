@@ -39,8 +39,9 @@ inline constexpr Ink kText{{178, 187, 197}, 1};
 inline constexpr Ink kGridLine{{255, 255, 255}, 0.26};
 inline constexpr Ink kGridRim{{0, 0, 0}, 0.5};  ///< Under grid lines: shows them on bright echoes, not on dark ones.
 inline constexpr Ink kOutline{{255, 255, 255}, 0.40};
-inline constexpr Ink kGridText{{222, 228, 234}, 1};  ///< Over echoes.
-inline constexpr Ink kHead{{120, 235, 255}, 0.85};   ///< Present direction of a scanning head.
+inline constexpr Ink kGridText{{222, 228, 234}, 1};                                  ///< Over echoes.
+inline constexpr Ink kByAmplitude{{90, 200, 255}, 1}, kByPhase{{110, 255, 120}, 1};  ///< Soundings.
+inline constexpr Ink kHead{{120, 235, 255}, 0.85};  ///< Present direction of a scanning head.
 
 }  // namespace palette
 }  // namespace insonify

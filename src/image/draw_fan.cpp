@@ -1,10 +1,11 @@
-// draw_fan.cpp -- draws one ping as a fan seen from above.
+// draw_fan.cpp -- draws one ping as a fan seen from above, that of a multibeam seen from behind, with its soundings.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "image/fan_geometry.h"
 #include "image/fan_paint.h"
@@ -18,17 +19,19 @@ namespace {
 // between beams, where it is NaN.
 class FanTable {
  public:
-  FanTable(const Ping& ping, const SonarConfig& sonar, const FanShape& shape)
+  FanTable(const Ping& ping, const SonarConfig& sonar)
       : axis_(sonar),
         table_(clean_intensities(ping)),
         beams_(ping.beam_count),
         bins_(ping.bin_count),
         min_range_(sonar.min_range),
         bins_per_metre_(1 / sonar.bin_length()),
-        middle_(shape.middle()),
-        wraps_(shape.full_circle()),
         slices_(sonar.bearings()),
-        has_gaps_(slices_.has_gaps()) {}
+        has_gaps_(slices_.has_gaps()) {
+    const FanShape shape{slices_.starboard.back(), slices_.port.front()};
+    middle_ = shape.middle();
+    wraps_ = shape.full_circle();
+  }
 
   double operator()(double range, double azimuth) const {
     const double bearing = middle_ + near_zero(azimuth - middle_);
@@ -66,15 +69,49 @@ class FanTable {
   BeamAxis axis_;
   std::vector<float> table_;
   int beams_, bins_;
-  double min_range_, bins_per_metre_, middle_;
-  bool wraps_;
+  double min_range_, bins_per_metre_, middle_ = 0;
+  bool wraps_ = false;
   BearingGrid slices_;
   bool has_gaps_;
 };
 
-FanShape fan_shape(const SonarConfig& sonar) {
-  const BearingGrid beams = sonar.bearings();
-  return {beams.starboard.back(), beams.port.front(), sonar.min_range, sonar.max_range, 0};
+// A fan as it is drawn. That of a multibeam points down, with port to the left: it is mirrored, and turned by half a
+// circle.
+struct DrawnFan {
+  explicit DrawnFan(const SonarConfig& sonar) : mirrored(sonar.is_multibeam()) {
+    const BearingGrid beams = sonar.bearings();
+    const double low = beams.starboard.back(), high = beams.port.front();
+    shape = mirrored ? FanShape{-high, -low, sonar.min_range, sonar.max_range, std::numbers::pi}
+                     : FanShape{low, high, sonar.min_range, sonar.max_range, 0};
+  }
+
+  // The sonar's bearing of an azimuth of the picture, and the other way round.
+  [[nodiscard]] double turned(double azimuth) const { return mirrored ? -azimuth : azimuth; }
+
+  bool mirrored;
+  FanShape shape;
+};
+
+void mark_soundings(const Ping& ping, const DrawnFan& fan, const FanGeometry& geometry, double width,
+                    Picture& picture) {
+  for (const Sounding& sounding : ping.soundings) {
+    if (sounding.found()) {
+      const Point at =
+          geometry.point_at(static_cast<double>(sounding.range), fan.turned(static_cast<double>(sounding.azimuth)));
+      draw_line(picture, {at.x - width, at.y}, {at.x + width, at.y}, width,
+                sounding.detection == Detection::kPhase ? palette::kByPhase : palette::kByAmplitude);
+    }
+  }
+}
+
+std::string what_of(const Ping& ping) {
+  const auto count = [&](Detection detection) {
+    return std::ranges::count(ping.soundings, detection, &Sounding::detection);
+  };
+  const std::string number = fmt::format("ping {}", ping.number);
+  return ping.soundings.empty() ? number
+                                : fmt::format("{}   {} soundings by amplitude (blue), {} by phase (green)", number,
+                                              count(Detection::kAmplitude), count(Detection::kPhase));
 }
 
 }  // namespace
@@ -83,11 +120,11 @@ NumberPicture draw_fan_numbers(const std::vector<std::uint16_t>& numbers, const 
                                const Display& display) {
   display.validate();
   check_numbers(numbers, sonar);
-  const FanShape shape = fan_shape(sonar);
+  const DrawnFan fan(sonar);
   const BearingGrid beams = sonar.bearings();
   const BeamAxis axis(sonar);
-  return fan_numbers(shape, bare_fan(shape, display, sonar.bin_length()), sonar, [&](int bin, double azimuth) {
-    const double bearing = shape.middle() + near_zero(azimuth - shape.middle());
+  return fan_numbers(fan.shape, bare_fan(fan.shape, display, sonar.bin_length()), sonar, [&](int bin, double azimuth) {
+    const double bearing = fan.turned(fan.shape.middle() + near_zero(azimuth - fan.shape.middle()));
     const int beam = beams.last_before(bearing, std::max(0, static_cast<int>(axis.beam_at(bearing))));
     return beams.has(beam, bearing) ? number_at(numbers, sonar, bin, beam) : kNoLabel;
   });
@@ -97,12 +134,17 @@ Picture draw_fan(const Ping& ping, const SonarConfig& sonar, const Display& disp
   display.validate();
   check_ping(ping, sonar);
   const BearingGrid beams = sonar.bearings();
-  const FanShape shape = fan_shape(sonar);
-  const FanTable table(ping, sonar, shape);
+  const DrawnFan fan(sonar);
+  const FanTable table(ping, sonar);
   const FanCells cells{sonar.bin_length(), beams.covered() / sonar.beam_count};
-  return fan_picture(display, heading_of(sonar, fmt::format("ping {}", ping.number), ping.time), shape,
-                     marks_of(shape, shape.low, shape.high, Mounting::kHorizontal), cells, table,
-                     [](Picture&, const FanGeometry&, const Page&) {});
+  FanMarks marks = marks_of(fan.shape, fan.shape.low, fan.shape.high, Mounting::kHorizontal);
+  marks.mirrored = fan.mirrored;
+  return fan_picture(
+      display, heading_of(sonar, what_of(ping), ping.time), fan.shape, marks, cells,
+      [&](double range, double azimuth) { return table(range, fan.turned(azimuth)); },
+      [&](Picture& picture, const FanGeometry& geometry, const Page& page) {
+        mark_soundings(ping, fan, geometry, 2 * page.hairline(), picture);
+      });
 }
 
 }  // namespace insonify

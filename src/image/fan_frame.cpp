@@ -116,17 +116,17 @@ std::vector<FanLabel> labels_of(const FanShape& shape, const FanMarks& marks, co
     const double turn = azimuth - shape.up;
     return placer.put_beside(geometry.point_at(shape.max_range, azimuth), {-std::sin(turn), -std::cos(turn)}, text);
   };
-  const auto label_radial = [&](const Radial& radial) {
-    put_beside_arc(radial.azimuth, bearing_text(radial.azimuth, marks.mounting));
+  const auto text_of = [&](const Radial& radial) {
+    return bearing_text(marks.mirrored ? -radial.azimuth : radial.azimuth, marks.mounting);
   };
+  const auto label_radial = [&](const Radial& radial) { put_beside_arc(radial.azimuth, text_of(radial)); };
   // Labels of the edges slide outwards on a narrow fan; inwards on a wide one, whose edge labels would meet outside.
   const auto label_edge = [&](const Radial& radial) {
     const bool outwards = shape.aperture() < std::numbers::pi;
     const double sense = (radial.azimuth > shape.middle()) == outwards ? 1 : -1;
     const double radians_per_pixel = geometry.metres_per_pixel / shape.max_range;
     placer.slide([&](double slide) {
-      return put_beside_arc(radial.azimuth + sense * slide * radians_per_pixel,
-                            bearing_text(radial.azimuth, marks.mounting));
+      return put_beside_arc(radial.azimuth + sense * slide * radians_per_pixel, text_of(radial));
     });
   };
   // Rings are labelled along the port edge. Labels of min_range and max_range, which no other ring implies, slide until

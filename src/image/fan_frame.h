@@ -29,6 +29,7 @@ struct FanMarks {
   std::vector<double> rings;  ///< [m], rising; the last is max_range.
   std::vector<Radial> radials;
   Mounting mounting = Mounting::kHorizontal;
+  bool mirrored = false;  ///< Whether azimuths are those of the sonar with the other sign.
 };
 
 /// Chooses rings and radials at round numbers.

@@ -58,11 +58,10 @@ Housing::Cut Housing::cut(const Ray& ray) const {
 }
 
 InsonifiedSector::InsonifiedSector(const SonarConfig& sonar, const Pose& world_from_sonar)
-    : world_from_sonar_(world_from_sonar),
-      low_elevation_(sonar.elevation_center - sonar.elevation_aperture / 2),
-      high_elevation_(sonar.elevation_center + sonar.elevation_aperture / 2),
-      min_range_(sonar.min_range),
-      max_range_(sonar.max_range) {
+    : world_from_sonar_(world_from_sonar), min_range_(sonar.min_range), max_range_(sonar.max_range) {
+  const double half = std::min(sonar.elevation_aperture, sonar.sent_elevation_aperture()) / 2;
+  low_elevation_ = sonar.elevation_center - half;
+  high_elevation_ = sonar.elevation_center + half;
   for (int i = 0; i < sonar.aperture_count(); ++i) {
     world_from_apertures_.push_back(world_from_sonar * sonar.housing_from_aperture(i));
   }

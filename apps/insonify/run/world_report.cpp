@@ -9,6 +9,8 @@
 #include <iterator>
 #include <set>
 
+#include "insonify/survey/bottom_detection.h"
+
 namespace insonify {
 namespace {
 
@@ -123,6 +125,25 @@ std::string length_text(const std::string& whose, const Trajectory& trajectory, 
   return "";
 }
 
+// "; the bottom in 251 of 256 beams, 19.8 to 20.1 m below it"; "" without soundings.
+std::string soundings_text(const Ping& ping) {
+  if (ping.soundings.empty()) {
+    return "";
+  }
+  std::vector<double> depths;
+  for (const Sounding& sounding : ping.soundings) {
+    if (sounding.found()) {
+      depths.push_back(ping.world_from_sonar.position.z() - position_of(sounding, ping.world_from_sonar).z());
+    }
+  }
+  if (depths.empty()) {
+    return "; the bottom in no beam";
+  }
+  const auto [least, most] = std::ranges::minmax(depths);
+  return fmt::format("; the bottom in {} of {} beams, {:.3g} to {:.3g} m below it", depths.size(),
+                     ping.soundings.size(), least, most);
+}
+
 }  // namespace
 
 std::string size_text(const Scene& scene) {
@@ -198,10 +219,12 @@ std::string first_ping_text(const Scene& scene, const SonarConfig& sonar, const 
   const auto present =
       std::ranges::count_if(scene.instances, [](const Instance& instance) { return instance.present; });
   if (objects.empty()) {
-    return fmt::format("first ping: echoes of none of {} object{}", present, present == 1 ? "" : "s");
+    return fmt::format("first ping: echoes of none of {} object{}{}", present, present == 1 ? "" : "s",
+                       soundings_text(ping));
   }
-  return fmt::format("first ping: echoes of {} of {} object{}, from {:.3g} to {:.3g} m", objects.size(), present,
-                     present == 1 ? "" : "s", sonar.bin_range(nearest), sonar.bin_range(farthest));
+  return fmt::format("first ping: echoes of {} of {} object{}, from {:.3g} to {:.3g} m{}", objects.size(), present,
+                     present == 1 ? "" : "s", sonar.bin_range(nearest), sonar.bin_range(farthest),
+                     soundings_text(ping));
 }
 
 }  // namespace insonify
