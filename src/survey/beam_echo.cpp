@@ -14,10 +14,11 @@ constexpr double kBinDeviation = 0.28867513459481287;  // 1 / sqrt(12): of a pla
 
 // Sums for a line through phases.
 struct LineSums {
-  double weight = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+  double weight = 0, squares = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
 
   void add(double at, double phase, double by) {
     weight += by;
+    squares += by * by;
     x += by * at;
     y += by * phase;
     xx += by * at * at;
@@ -29,10 +30,10 @@ struct LineSums {
 // A line phase = slope (place - zero), and the variance of phases about it.
 struct PhaseLine {
   double slope = 0, zero = 0, middle = 0, spread = 0, variance = 0;
-  double samples = 0;
+  double samples = 0;  // Equally weighted ones that would be as certain.
 };
 
-std::optional<PhaseLine> line_through(const LineSums& sums, double samples) {
+std::optional<PhaseLine> line_through(const LineSums& sums) {
   if (!(sums.weight > 0)) {
     return {};
   }
@@ -48,7 +49,7 @@ std::optional<PhaseLine> line_through(const LineSums& sums, double samples) {
                    .middle = x,
                    .spread = xx,
                    .variance = std::max(0.0, yy - slope * xy),
-                   .samples = samples};
+                   .samples = sums.weight * sums.weight / sums.squares};
 }
 
 // Phases of a snippet averaged over `length` bins as numbers on a circle, weighted by intensity: noise of single bins
@@ -98,7 +99,7 @@ LineSums sums_of(const std::vector<MeanPhase>& means, double zero, double slope,
 std::optional<BeamEcho> find_echo(const BeamRow& row, const Snippet& gate, float least, bool to_port) {
   const auto begin = row.smoothed.begin();
   const auto peak = std::max_element(begin + gate.begin, begin + gate.end);
-  if (!(*peak > 0) || *peak < least) {
+  if (gate.begin >= gate.end || !(*peak > 0) || *peak < least) {
     return {};
   }
   BeamEcho echo;
@@ -125,20 +126,26 @@ Snippet snippet_around(const BeamRow& row, int peak, int first, int last) {
 }
 
 BeamRange range_by_amplitude(const BeamRow& row, const Snippet& snippet) {
-  double weight = 0, sum = 0, squares = 0;
+  double weight = 0, sum = 0;
   for (int bin = snippet.begin; bin < snippet.end; ++bin) {
-    const double intensity = row.intensity[static_cast<std::size_t>(bin)], place = bin - snippet.begin + 0.5;
+    const double intensity = row.intensity[static_cast<std::size_t>(bin)];
     weight += intensity;
-    sum += intensity * place;
-    squares += intensity * place * place;
+    sum += intensity * (bin - snippet.begin + 0.5);
   }
-  const double centre = sum / weight, variance = std::max(0.0, squares / weight - centre * centre);
-  const double samples = std::max(1.0, static_cast<double>(snippet.end - snippet.begin) / row.resolution);
-  return {snippet.begin + centre, std::sqrt(variance / samples + kBinDeviation * kBinDeviation)};
+  // Intensities of speckle have a variance of half their mean square; as many bins as resolve nothing vary together.
+  const double centre = sum / weight;
+  double squares = 0;
+  for (int bin = snippet.begin; bin < snippet.end; ++bin) {
+    const double intensity = row.intensity[static_cast<std::size_t>(bin)], off = bin - snippet.begin + 0.5 - centre;
+    squares += 0.5 * intensity * intensity * off * off;
+  }
+  const double variance = row.resolution * squares / (weight * weight);
+  return {snippet.begin + centre, std::sqrt(variance + kBinDeviation * kBinDeviation)};
 }
 
 std::optional<BeamRange> range_by_phase(const BeamRow& row, const Snippet& snippet, bool to_port) {
-  constexpr int kMeans = 24, kLeastMeans = 6;
+  constexpr int kMeans = 24, kLeastMeans = 8;
+  constexpr double kLeastSamples = 4;
   const int bins = snippet.end - snippet.begin;
   const int length = std::max(row.resolution, bins / kMeans);
   if (row.phase.empty() || bins < kLeastMeans * length) {
@@ -157,8 +164,8 @@ std::optional<BeamRange> range_by_phase(const BeamRow& row, const Snippet& snipp
   for (int round = 0; round < kRounds; ++round) {
     std::size_t count = 0;
     const LineSums sums = sums_of(means, zero, slope, count);
-    line = count >= kLeastMeans ? line_through(sums, static_cast<double>(count)) : std::nullopt;
-    if (!line || (line->slope > 0) != to_port) {
+    line = count >= kLeastMeans ? line_through(sums) : std::nullopt;
+    if (!line || (line->slope > 0) != to_port || line->samples < kLeastSamples) {
       return {};
     }
     slope = line->slope;

@@ -8,6 +8,7 @@
 
 #include "insonify/error.h"
 #include "insonify/field.h"
+#include "receiver/array/line_array.h"
 #include "receiver/ping_table.h"
 #include "survey/beam_echo.h"
 
@@ -17,7 +18,8 @@ namespace {
 constexpr double kLeastCosine = 0.08;  // Beams within some 5 degrees of the horizontal, or above it, see no bottom.
 constexpr float kLeastContrast = 10;   // Of a peak, re the median of the beam's smoothed intensities.
 constexpr double kLeastDepth = 0.6, kGreatestDepth = 1.7;  // From a beam to the next ones, re the depth before.
-constexpr std::size_t kBefore = 5;                         // Beams whose median depth is that before.
+constexpr double kBeyondRing = 1.06;  // Beams whose bottom is so far beyond the echo straight below have it apart.
+constexpr std::size_t kBefore = 5;    // Beams whose median depth is that before.
 
 // A ping as rows of beams: copied once, since detection reads along range.
 struct Rows {
@@ -116,7 +118,7 @@ std::vector<Sounding> BottomDetector::detect(const Ping& ping) const {
 
 // Writes what was found in a beam.
 void BottomDetector::set(Sounding& sounding, std::span<const float> intensity, const BeamEcho& echo) const {
-  const double range = sonar_.min_range + echo.range.place * sonar_.bin_length();
+  const double range = range_of(echo.range.place);
   const double deviation = echo.range.deviation * sonar_.bin_length();
   double sum = 0;
   for (int bin = echo.snippet.begin; bin < echo.snippet.end; ++bin) {
@@ -129,6 +131,15 @@ void BottomDetector::set(Sounding& sounding, std::span<const float> intensity, c
   sounding.snippet_begin = echo.snippet.begin;
   sounding.snippet_end = echo.snippet.end;
   sounding.intensity = static_cast<float>(sum / (echo.snippet.end - echo.snippet.begin));
+}
+
+// Bins that a beam's intensities are averaged over: a part of the footprint that a level bottom would have, so that
+// speckle does not tear it apart.
+int BottomDetector::smoothing(int beam, double depth, double cosine) const {
+  constexpr double kPart = 0.2;
+  const double width = beam_width(sonar_) / std::max(kLeastCosine, std::cos(beams_.centres[beam]));
+  const double footprint = depth / (cosine * cosine) * std::sqrt(1 - cosine * cosine) * width / sonar_.bin_length();
+  return std::clamp(static_cast<int>(kPart * footprint), smooth_, std::max(smooth_, sonar_.bin_count / 8)) | 1;
 }
 
 // Bins that are searched in a beam: around the depth before, or all.
@@ -155,18 +166,30 @@ void BottomDetector::detect(const Ping& ping, std::vector<Sounding>& soundings) 
     cosines.push_back(std::cos(azimuth) * down.x() + std::sin(azimuth) * down.y());
     soundings[beam].azimuth = static_cast<float>(azimuth);
   }
+  Snippet ring;
   const auto detect_beam = [&](int beam, Depths& depths) {
-    const Snippet gate = this->gate(depths.median(), cosines[beam]);
-    if (cosines[beam] < kLeastCosine || gate.begin >= gate.end) {
+    if (cosines[beam] < kLeastCosine || first_bin_ == last_bin_) {
       return;
     }
+    const double depth = depths.median();
     const std::span<const float> intensity = rows.of(rows.intensity, beam);
-    smooth(intensity, smooth_, smoothed);
+    smooth(intensity, smoothing(beam, depth, cosines[beam]), smoothed);
     const float median = median_of(std::span(smoothed).subspan(first_bin_, last_bin_ - first_bin_), scratch);
     const BeamRow row{intensity, smoothed, rows.of(rows.phase, beam), resolution_};
-    if (const auto echo = find_echo(row, gate, kLeastContrast * median, beams_.centres[beam] > 0)) {
+    const Snippet gate = this->gate(depth, cosines[beam]);
+    const bool to_port = beams_.centres[beam] > 0;
+    const float least = kLeastContrast * median;
+    std::optional<BeamEcho> echo = find_echo(row, gate, least, to_port);
+    if (echo && echo->snippet.begin < ring.end && depth / cosines[beam] > kBeyondRing * range_of(ring.end)) {
+      const auto beyond = find_echo(row, {std::max(gate.begin, ring.end), gate.end}, least, to_port);
+      echo = beyond ? beyond : echo;
+    }
+    if (echo) {
       set(soundings[beam], intensity, *echo);
       depths.add(double{soundings[beam].range} * cosines[beam]);
+      if (depth == 0) {
+        ring = {echo->snippet.begin, echo->snippet.end + smooth_};
+      }
     }
   };
 

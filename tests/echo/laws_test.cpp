@@ -95,7 +95,8 @@ TEST(HitLawTest, ProjectionsAreBlendedByFourthPowers) {
 
 // d(range)/d(azimuth) = range |sideways| / |facing|, the divisor plus 0.1: 20 x 0.3 / 0.5 = 12 per radian.
 TEST(HitLawTest, ReachIsTheChangeOfRangeAcrossTheColumn) {
-  EXPECT_DOUBLE_EQ(precise::footprint_reach(0.01, 20, 0.3, -0.4), 0.12);
+  EXPECT_DOUBLE_EQ(precise::footprint_reach(0.01, 20, 0.3, -0.4), 0.15);
+  EXPECT_DOUBLE_EQ(precise::footprint_reach(0.01, 20, 0.3, 0.02), 0.6);  // As at a cosine of 0.1.
   EXPECT_DOUBLE_EQ(precise::sideways_in_wedge(-0.5, 0.8), 0.4);
   EXPECT_NEAR(precise::sideways_on_cone(0.5, 0.3, 1, 0.6), 0, 1e-15);
   EXPECT_DOUBLE_EQ(precise::sideways_on_cone(0.5, 0.3, 1, 0), 1);  // As at a cosine of 0.2.

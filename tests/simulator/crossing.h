@@ -28,6 +28,7 @@ enum Effect : unsigned {
   kFull = 8192,   // Full ground truth.
   kPaper = 16384,
   kSides = 32768,  // A side-scan sonar as second sonar, with crosstalk.
+  kSwath = 65536,  // A multibeam as second sonar.
 };
 
 inline SonarConfig scanning_head() {
@@ -57,6 +58,20 @@ inline SonarConfig looking_abeam() {
   return sonar;
 }
 
+inline SonarConfig sounding_ahead() {
+  SonarConfig sonar = small_sonar();
+  sonar.name = "swath";
+  sonar.type = SonarType::kMultibeam;
+  sonar.beam_spacing = BeamSpacing::kEquidistant;
+  sonar.transmit_elevation_aperture = 3 * kDegree;
+  sonar.elevation_center = 0;
+  sonar.roll_stabilised = true;
+  sonar.position = {0.1, -0.2, 0};
+  // Down of the housing is ahead of it: the world lies there.
+  sonar.orientation = {0, -75 * kDegree, 0};
+  return sonar;
+}
+
 inline Scenario crossing_scenario(unsigned effects, const char* engine) {
   const auto has = [&](unsigned effect) { return (effects & effect) != 0; };
   Scenario scenario =
@@ -72,6 +87,9 @@ inline Scenario crossing_scenario(unsigned effects, const char* engine) {
   }
   if (has(kSides)) {
     scenario.sonars.push_back(looking_abeam());
+  }
+  if (has(kSwath)) {
+    scenario.sonars.push_back(sounding_ahead());
   }
   if (has(kTwo)) {
     scenario.sonars.push_back(small_sonar());
@@ -156,6 +174,10 @@ inline constexpr unsigned kCrossings[] = {
     kSides | kMotion | kMutual | kTwo | kFull,
     kSides | kWalks | kOthers | kThrusters | kGlass | kArray,
     kPaper | kSides | kMoved,
+    kSwath | kSea | kWaves | kMoved | kPoints | kArray,
+    kSwath | kArray | kMotion | kMutual | kTwo | kFull,
+    kSwath | kArray | kWalks | kOthers | kThrusters | kGlass,
+    kPaper | kSwath | kMoved,
     kPaper | kTwo,
     kPaper | kHead | kMoved,
     kPaper | kSea | kMoved,

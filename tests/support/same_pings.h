@@ -30,6 +30,7 @@ inline void expect_same(const Ping& ping, const Ping& expected) {
   expect_same_table(&Ping::intensity, "intensity");
   expect_same_table(&Ping::field, "field");
   expect_same_table(&Ping::counts, "counts");
+  expect_same_table(&Ping::phase, "phase");
   expect_same_table(&Ping::instance, "instance");
   expect_same_table(&Ping::material, "material");
   expect_same_table(&Ping::elevation, "elevation");
@@ -39,6 +40,12 @@ inline void expect_same(const Ping& ping, const Ping& expected) {
   expect_same_table(&Ping::path_order, "path_order");
   expect_same_table(&Ping::shadow, "shadow");
   expect_same_table(&Ping::direct_intensity, "direct_intensity");
+  ASSERT_EQ(ping.soundings.size(), expected.soundings.size());
+  for (std::size_t beam = 0; beam < ping.soundings.size(); ++beam) {
+    const Sounding &a = ping.soundings[beam], &b = expected.soundings[beam];
+    EXPECT_EQ(a.detection, b.detection) << beam;
+    EXPECT_TRUE(a.range == b.range || !a.found()) << beam;
+  }
 }
 
 /// Sum |a - b| over sum a of the intensities.

@@ -22,7 +22,8 @@ struct BottomDetectionOptions {
 };
 
 /// Detects the bottom of pings (docs/concepts/multibeam.md). From the beams below the sonar outwards, each echo is
-/// looked for around the depth of the beams before it. In its snippet, where the smoothed intensity is within 10 dB of
+/// looked for around the depth of the beams before it, and beyond the ring of side lobes at the range of the first. In
+/// its snippet, where the smoothed intensity is within 10 dB of
 /// its peak, the bottom is where the intensity has its centre, or where a line through the phases of Ping::phase
 /// crosses 0, whichever is less uncertain (Lurton, An Introduction to Underwater Acoustics (2010), section 8.3).
 class BottomDetector {
@@ -39,7 +40,9 @@ class BottomDetector {
 
  private:
   void set(Sounding& sounding, std::span<const float> intensity, const BeamEcho& echo) const;
+  [[nodiscard]] int smoothing(int beam, double depth, double cosine) const;
   [[nodiscard]] Snippet gate(double depth, double cosine) const;
+  [[nodiscard]] double range_of(double place) const { return sonar_.min_range + place * sonar_.bin_length(); }
 
   SonarConfig sonar_;
   BearingGrid beams_;

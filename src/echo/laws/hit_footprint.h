@@ -7,8 +7,8 @@
 /// @param scale     Half width of the column [rad] times bins per metre.
 /// @param sideways  |normal . d(direction)/d(azimuth)|
 LAW Real footprint_reach(Real scale, Real range, Real sideways, Real facing) {
-  const Real kAdded = REAL(0.1);
-  return scale * range * sideways / (abs(facing) + kAdded);
+  const Real kLeast = REAL(0.1);
+  return scale * range * sideways / max(abs(facing), kLeast);
 }
 
 /// footprint_reach()'s `sideways` in a wedge.
