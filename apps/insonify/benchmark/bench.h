@@ -39,6 +39,9 @@ int bench_paper(const PaperBenchOptions& options);
 /// insonify bench batch: times batches of pings against the same pings one by one.
 int bench_batch(const BenchOptions& options);
 
+/// insonify bench survey: pings of side-scan sonars and multibeams beside the instruments' own rates.
+int bench_survey(const BenchOptions& options);
+
 /// insonify bench device: times pings of engine gpu, one by one and in batches, beside those of engine cpu.
 int bench_device(const BenchOptions& options);
 

@@ -133,6 +133,8 @@ void add_bench(const Command& program) {
                       "--triangles 1000 10000 100000", BenchWith::kNothing, bench_primary);
   add_bench_of_scenes(bench, "batch", "Batches of pings against the same pings one by one",
                       "--triangles 1000 --threads 2", BenchWith::kThreads, bench_batch);
+  add_bench_of_scenes(bench, "survey", "Side-scan sonars and multibeams beside the instruments' own rates",
+                      "--triangles 100000 --threads 2", BenchWith::kThreads, bench_survey);
   add_bench_of_scenes(bench, "device", "Pings of engine gpu on a graphics card, beside those of engine cpu",
                       "--triangles 1000 100000 --device 0", BenchWith::kDevice, bench_device);
   add_bench_of_scenes(bench, "changes", "Sonars and objects that change while a simulator runs",

@@ -198,6 +198,24 @@ Scene make_filled_scene() {
   return scene;
 }
 
+Scene make_rough_bed(int triangle_count) {
+  constexpr double kSide = 500;
+  HeightGrid grid;
+  grid.columns = grid.rows = static_cast<int>(std::lround(std::sqrt(0.5 * triangle_count))) + 1;
+  grid.spacing_x = grid.spacing_y = kSide / (grid.columns - 1);
+  for (int row = 0; row < grid.rows; ++row) {
+    for (int column = 0; column < grid.columns; ++column) {
+      const double x = grid.spacing_x * column, y = grid.spacing_y * row;
+      grid.heights.push_back(static_cast<float>(0.25 * std::sin(0.37 * x + 0.11 * y) + 0.15 * std::sin(0.9 * y) +
+                                                0.1 * std::sin(1.7 * x - 0.8 * y)));
+    }
+  }
+  Scene scene;
+  add_instance(scene, "bed", make_height_field(grid), "sand");
+  assign_materials(scene, {});
+  return scene;
+}
+
 std::span<const PaperSetup> paper_setups() {
   return kSetups;
 }

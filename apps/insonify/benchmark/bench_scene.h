@@ -13,6 +13,9 @@ namespace insonify {
 /// cones at 4 to 16 m (50 %); the bed 3 m below the origin, where the sonar is. Materials are assigned.
 [[nodiscard]] Scene make_bench_scene(int triangle_count);
 
+/// A rough bed of sand, 500 m square, between 0.5 m below and above the height 0.
+[[nodiscard]] Scene make_rough_bed(int triangle_count);
+
 /// 256 beams x 500 bins, 120 x 20 degrees, 20 m, pitched down 10 degrees.
 [[nodiscard]] SonarConfig bench_sonar();
 
