@@ -116,11 +116,11 @@ std::optional<BeamEcho> find_echo(const BeamRow& row, const Snippet& gate, float
 Snippet snippet_around(const BeamRow& row, int peak, int first, int last) {
   const float floor = 0.1F * row.smoothed[static_cast<std::size_t>(peak)];
   Snippet snippet{peak, peak + 1};
-  while (snippet.begin > first && row.smoothed[static_cast<std::size_t>(snippet.begin - 1)] >= floor) {
-    --snippet.begin;
+  for (int bin = peak - 1; bin >= first && snippet.begin - bin <= row.bridged + 1; --bin) {
+    snippet.begin = row.smoothed[static_cast<std::size_t>(bin)] >= floor ? bin : snippet.begin;
   }
-  while (snippet.end < last && row.smoothed[static_cast<std::size_t>(snippet.end)] >= floor) {
-    ++snippet.end;
+  for (int bin = peak + 1; bin < last && bin - snippet.end <= row.bridged; ++bin) {
+    snippet.end = row.smoothed[static_cast<std::size_t>(bin)] >= floor ? bin + 1 : snippet.end;
   }
   return snippet;
 }

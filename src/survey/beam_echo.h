@@ -13,6 +13,7 @@ struct BeamRow {
   std::span<const float> smoothed;  ///< Moving mean.
   std::span<const float> phase;     ///< [rad]; empty without.
   int resolution = 1;               ///< Bins that are one independent sample.
+  int bridged = 0;                  ///< Longest fade of speckle within an echo [bins].
 };
 
 /// Bins of an echo, [begin, end).
@@ -37,7 +38,8 @@ struct BeamEcho {
 /// @param to_port  Whether the beam looks to port of straight down.
 [[nodiscard]] std::optional<BeamEcho> find_echo(const BeamRow& row, const Snippet& gate, float least, bool to_port);
 
-/// The bins around `peak` in which the smoothed intensity stays within 10 dB of its value there, inside [first, last).
+/// The bins around `peak` in which the smoothed intensity stays within 10 dB of its value there but for fades, inside
+/// [first, last).
 [[nodiscard]] Snippet snippet_around(const BeamRow& row, int peak, int first, int last);
 
 /// Centre of the intensity in a snippet.

@@ -133,13 +133,11 @@ void BottomDetector::set(Sounding& sounding, std::span<const float> intensity, c
   sounding.intensity = static_cast<float>(sum / (echo.snippet.end - echo.snippet.begin));
 }
 
-// Bins that a beam's intensities are averaged over: a part of the footprint that a level bottom would have, so that
-// speckle does not tear it apart.
-int BottomDetector::smoothing(int beam, double depth, double cosine) const {
-  constexpr double kPart = 0.2;
+// Bins that the footprint of a beam takes up on a level bottom.
+int BottomDetector::footprint(int beam, double depth, double cosine) const {
   const double width = beam_width(sonar_) / std::max(kLeastCosine, std::cos(beams_.centres[beam]));
-  const double footprint = depth / (cosine * cosine) * std::sqrt(1 - cosine * cosine) * width / sonar_.bin_length();
-  return std::clamp(static_cast<int>(kPart * footprint), smooth_, std::max(smooth_, sonar_.bin_count / 8)) | 1;
+  const double length = depth / (cosine * cosine) * std::sqrt(1 - std::min(1.0, cosine * cosine)) * width;
+  return static_cast<int>(std::min(length / sonar_.bin_length(), 0.25 * sonar_.bin_count));
 }
 
 // Bins that are searched in a beam: around the depth before, or all.
@@ -173,9 +171,11 @@ void BottomDetector::detect(const Ping& ping, std::vector<Sounding>& soundings) 
     }
     const double depth = depths.median();
     const std::span<const float> intensity = rows.of(rows.intensity, beam);
-    smooth(intensity, smoothing(beam, depth, cosines[beam]), smoothed);
+    // Averages over a part of the footprint, and bridges fades: speckle must not tear an echo apart.
+    const int footprint = this->footprint(beam, depth, cosines[beam]);
+    smooth(intensity, std::max(smooth_, footprint / 4) | 1, smoothed);
     const float median = median_of(std::span(smoothed).subspan(first_bin_, last_bin_ - first_bin_), scratch);
-    const BeamRow row{intensity, smoothed, rows.of(rows.phase, beam), resolution_};
+    const BeamRow row{intensity, smoothed, rows.of(rows.phase, beam), resolution_, footprint / 2};
     const Snippet gate = this->gate(depth, cosines[beam]);
     const bool to_port = beams_.centres[beam] > 0;
     const float least = kLeastContrast * median;

@@ -185,7 +185,7 @@ TEST(MultibeamPhaseTest, CrossesZeroOnTheAxis) {
       const double azimuth = sonar.beam_azimuth(beam), range = kHeight / std::cos(azimuth);
       EXPECT_EQ(sounding.detection, Detection::kPhase) << beam;
       const double footprint = range * std::abs(std::tan(azimuth)) * 2 * kDegree;
-      EXPECT_NEAR(sounding.range, range, (speckle ? 0.15 : 0.04) * footprint) << beam;
+      EXPECT_NEAR(sounding.range, range, (speckle ? 0.15 : 0.05) * footprint) << beam;
     }
   }
 }
@@ -225,6 +225,48 @@ TEST(MultibeamDepthTest, IsThatOfALevelBed) {
   const Vec3 below = position_of(ping.soundings[static_cast<std::size_t>(straight)], ping.world_from_sonar);
   EXPECT_NEAR(below.z(), -kHeight, 0.001 * kHeight);
   RecordProperty("worst_mm", static_cast<int>(1000 * worst));
+}
+
+// Over many pings the errors of a beam are as large as detection states, and lie where the orders of IHO S-44 (2020)
+// allow: 95 % within sqrt(a^2 + (b depth)^2), a = .15 m, b = .0075 for the exclusive order.
+TEST(MultibeamErrorTest, ErrorsAreAsLargeAsStated) {
+  SonarConfig sonar = crossed_lines();
+  sonar.azimuth_resolution = 1 * kDegree;
+  sonar.beam_count = 31;
+  sonar.bin_count = 1500;
+  sonar.pulse = PulseKind::kCw;
+  sonar.pulse_duration = 60e-6;
+  Scenario scenario = with_arrays(sonar);
+  scenario.receiver.pulse = PulseKind::kInstrument;
+  scenario.receiver.azimuth_pattern = BeamPattern::kTaylor;
+  scenario.receiver.speckle = scenario.receiver.noise = true;
+  Simulator simulator(scenario, seabed_at(-kHeight, diffuse(-21)), 2);
+  constexpr int kPings = 40;
+  std::vector<double> squares(31), stated(31);
+  int outside = 0, found = 0;
+  for (int i = 0; i < kPings; ++i) {
+    PingRequest request;
+    request.number = static_cast<std::uint64_t>(i);
+    request.world_from_vehicle.position = {0.83 * i, 0.31 * i, 0};
+    const Ping ping = simulator.ping(0, request);
+    for (std::size_t beam = 0; beam < squares.size(); ++beam) {
+      const Sounding& sounding = ping.soundings[beam];
+      ASSERT_TRUE(sounding.found()) << i << " " << beam;
+      const double range = kHeight / std::cos(static_cast<double>(sounding.azimuth));
+      squares[beam] += std::pow(static_cast<double>(sounding.range) - range, 2) / kPings;
+      stated[beam] += std::pow(static_cast<double>(sounding.uncertainty), 2) / kPings;
+      const double error = position_of(sounding, ping.world_from_sonar).z() + kHeight;
+      outside += std::abs(error) > std::hypot(0.15, 0.0075 * kHeight) ? 1 : 0;
+      ++found;
+    }
+  }
+  for (std::size_t beam = 0; beam < squares.size(); ++beam) {
+    std::printf("%5.1f deg: errors %.1f mm, stated %.1f mm\n", sonar.beam_azimuth(static_cast<int>(beam)) / kDegree,
+                1000 * std::sqrt(squares[beam]), 1000 * std::sqrt(stated[beam]));
+    EXPECT_LT(squares[beam], 4 * stated[beam]) << beam;
+    EXPECT_GT(squares[beam], stated[beam] / 9) << beam;
+  }
+  EXPECT_LT(outside, 0.05 * found);
 }
 
 // The vehicle's attitude is taken out where the sonar is stabilised: soundings lie where they would without it.

@@ -40,7 +40,7 @@ class BottomDetector {
 
  private:
   void set(Sounding& sounding, std::span<const float> intensity, const BeamEcho& echo) const;
-  [[nodiscard]] int smoothing(int beam, double depth, double cosine) const;
+  [[nodiscard]] int footprint(int beam, double depth, double cosine) const;
   [[nodiscard]] Snippet gate(double depth, double cosine) const;
   [[nodiscard]] double range_of(double place) const { return sonar_.min_range + place * sonar_.bin_length(); }
 
