@@ -22,7 +22,7 @@ struct SurveyCase {
   double receiver_gain = 30;  // [dB per decade]
 };
 
-constexpr SurveyCase kCases[] = {{"edgetech-4125", "400khz", 75, 8, 2000},
+constexpr SurveyCase kSurveys[] = {{"edgetech-4125", "400khz", 75, 8, 2000},
                                  {"edgetech-4125", "400khz", 150, 15, 2000},
                                  {"r2sonic-2024", "400khz", 100, 30, 1000},
                                  {"r2sonic-2024", "200khz", 250, 75, 1000}};
@@ -70,7 +70,7 @@ int bench_survey(const BenchOptions& options) {
       {"triangles", "preset", "mode", "range_m", "beams", "bins", "threads", "pings_per_s", "own_rate", "times"});
   for (const int count : options.triangles) {
     const Scene scene = make_rough_bed(count);
-    for (const SurveyCase& of : kCases) {
+    for (const SurveyCase& of : kSurveys) {
       for (const int threads : options.threads) {
         Simulator simulator(survey_scenario(of), scene, threads);
         const double period = simulator.sonar(0).ping_period.value();
