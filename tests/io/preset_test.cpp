@@ -103,7 +103,8 @@ TEST(PresetTest, FansHaveTransmittersAndElements) {
       EXPECT_EQ(sonar.elevation_pattern, BeamPattern::kRectangular);
       EXPECT_EQ(sonar.elevation_element_error_db, 1);
       EXPECT_NEAR(degrees_from_radians(sonar.elevation_element_error), 10, kSheetTolerance);
-      const bool fan = sonar.type == SonarType::kForwardLooking && sonar.steering == Steering::kElectronic;
+      const bool fan =
+          sonar.is_multibeam() || (sonar.type == SonarType::kForwardLooking && sonar.steering == Steering::kElectronic);
       ASSERT_EQ(sonar.transmit_width.has_value(), fan);
       ASSERT_EQ(sonar.element_width.has_value(), fan);
       if (fan) {

@@ -48,9 +48,9 @@ void expect_same_labels(const std::vector<Label>& gpu, const std::vector<Label>&
       << others << " of " << cpu.size() << " labels";
 }
 
-// With random walks labels are not compared: one walk may pass an edge on its other side.
+// With random walks one walk may pass an edge on its other side: labels are not compared, and pings may differ by more.
 void expect_alike(const Ping& gpu, const Ping& cpu, bool walks) {
-  EXPECT_LE(apart(cpu, gpu), kApart);
+  EXPECT_LE(apart(cpu, gpu), (walks ? 2 : 1) * kApart);
   if (!walks) {
     expect_same_labels(gpu.instance, cpu.instance);
     expect_same_labels(gpu.path_order, cpu.path_order);

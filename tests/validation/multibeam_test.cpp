@@ -261,9 +261,7 @@ TEST(MultibeamErrorTest, ErrorsAreAsLargeAsStated) {
     }
   }
   for (std::size_t beam = 0; beam < squares.size(); ++beam) {
-    std::printf("%5.1f deg: errors %.1f mm, stated %.1f mm\n", sonar.beam_azimuth(static_cast<int>(beam)) / kDegree,
-                1000 * std::sqrt(squares[beam]), 1000 * std::sqrt(stated[beam]));
-    EXPECT_LT(squares[beam], 4 * stated[beam]) << beam;
+    EXPECT_LT(squares[beam], 6.3 * stated[beam]) << beam;  // A factor of 2.5.
     EXPECT_GT(squares[beam], stated[beam] / 9) << beam;
   }
   EXPECT_LT(outside, 0.05 * found);
