@@ -135,6 +135,7 @@ PUBLIC = {
     "live_loop.h": "live",
     "live_sender.h": "live",
     "recorded_pings.h": "io",
+    "sound_speed_files.h": "io",
     "stored_tables.h": "io",
     "similarity.h": "similarity",
 }

@@ -1,5 +1,6 @@
 // bind_acoustics.cpp -- insonify.acoustics: the formulas, for numbers and arrays.
 
+#include <fmt/format.h>
 #include <pybind11/complex.h>
 #include <pybind11/numpy.h>
 
@@ -13,8 +14,10 @@
 #include "insonify/acoustics/sediment.h"
 #include "insonify/acoustics/sonar_equation.h"
 #include "insonify/acoustics/sound_speed.h"
+#include "insonify/acoustics/sound_speed_profile.h"
 #include "insonify/acoustics/surface_scattering.h"
 #include "insonify/acoustics/target_strength.h"
+#include "insonify/sound_speed_files.h"
 
 namespace insonify::python {
 namespace {
@@ -69,6 +72,63 @@ void add_water(py::module_& m) {
         "Refraction in a constant gradient: a BentPath. sound_speed at launch [m/s] > 0; gradient with depth [1/s], "
         "not 0; launch_angle positive down [rad], within +-pi/2; horizontal distance [m] >= 0. Raises Error where the "
         "path turns back before. Medwin and Clay, Fundamentals of Acoustical Oceanography (1998), ch. 3.");
+}
+
+// Points, or pairs of depth and speed.
+std::vector<ProfilePoint> points_from(const py::iterable& given) {
+  std::vector<ProfilePoint> points;
+  for (const py::handle item : given) {
+    const std::string name = fmt::format("points[{}]", points.size());
+    if (py::isinstance<Held<ProfilePoint>>(item)) {
+      points.push_back(unwrap<ProfilePoint>(item, name));
+      continue;
+    }
+    std::vector<double> pair;
+    from_python(item, name, 1, pair);
+    if (pair.size() != 2) {
+      throw Error("", name, " must be a ProfilePoint, or a depth and a sound speed");
+    }
+    points.push_back({.depth = pair[0], .sound_speed = pair[1]});
+  }
+  return points;
+}
+
+void add_profiles(py::module_& m) {
+  py::class_<RayPoint>(m, "RayPoint", "A point of a ray; distance and time are those from the source.")
+      .def_readonly("distance", &RayPoint::distance, "Horizontal distance [m].")
+      .def_readonly("depth", &RayPoint::depth, "[m]; negative above the surface.")
+      .def_readonly("angle", &RayPoint::angle, "From the horizontal, positive down [rad].")
+      .def_readonly("time", &RayPoint::time, "One-way travel time [s].");
+  py::class_<Eigenray>(m, "Eigenray", "The ray that connects two points.")
+      .def_readonly("launch_angle", &Eigenray::launch_angle, "At the source, positive down [rad].")
+      .def_readonly("arrival_angle", &Eigenray::arrival_angle, "At the target, positive down [rad].")
+      .def_readonly("time", &Eigenray::time, "One-way travel time [s].");
+  py::class_<SoundSpeedProfile>(m, "SoundSpeedProfile",
+                                "Sound speed by depth: linear between points, constant beyond. Rays are exact in it. "
+                                "points: a list of ProfilePoint or of pairs, depth [m] and sound speed [m/s].")
+      .def(py::init([](const py::iterable& points) { return SoundSpeedProfile(points_from(points), "points"); }),
+           arg("points"))
+      .def("speed_at", &SoundSpeedProfile::speed_at, arg("depth"), "Sound speed [m/s] at a depth [m].")
+      .def(
+          "after_time", &SoundSpeedProfile::after_time, arg("depth"), arg("launch_angle"), arg("time"),
+          "Where the ray from a depth [m] and a launch angle, positive down [rad], is after a one-way travel time [s]: "
+          "a RayPoint.")
+      .def("at_distance", &SoundSpeedProfile::at_distance, arg("depth"), arg("launch_angle"), arg("distance"),
+           "Where it is after a horizontal distance [m]: a RayPoint.")
+      .def(
+          "eigenray",
+          [](const SoundSpeedProfile& self, double depth, double to_depth, double distance) -> py::object {
+            const std::optional<Eigenray> ray = self.eigenray(depth, to_depth, distance);
+            return ray ? py::cast(*ray) : py::none();
+          },
+          arg("depth"), arg("to_depth"), arg("distance"),
+          "The earliest ray between two depths [m] at a horizontal distance [m]: an Eigenray; None in a shadow zone.");
+  m.def(
+      "load_sound_speed_profile",
+      [](const py::object& path) {
+        return wrap_all(load_sound_speed_profile(path_from(path, "path"), warnings_log()));
+      },
+      arg("path"), "Reads a cast, .csv, CARIS .svp or Kongsberg .asvp: a list of ProfilePoint.");
 }
 
 void add_levels(py::module_& m) {
@@ -267,6 +327,8 @@ void bind_acoustics(py::module_& module) {
                                                "Formulas of underwater acoustics, for numbers and arrays. Angles in "
                                                "radians. Arguments out of their limits raise Error.");
   add_water(acoustics);
+  acoustics.attr("ProfilePoint") = module.attr("ProfilePoint");
+  add_profiles(acoustics);
   add_levels(acoustics);
   add_targets(acoustics);
   add_sediments(acoustics);

@@ -7,6 +7,7 @@
 #include "arguments.h"
 #include "bind.h"
 #include "bind_config.h"
+#include "insonify/acoustics/sound_speed_profile.h"
 #include "insonify/describe.h"
 #include "insonify/files.h"
 #include "insonify/scenario.h"
@@ -138,6 +139,7 @@ py::object make_sonar(const py::dict& given) {
 void bind_configs(py::module_& module) {
   add_receivers_and_sonars(module);
   ConfigClass<Water>(module, "Water", about("water"));
+  ConfigClass<ProfilePoint>(module, "ProfilePoint", "A point of a sound-speed profile.");
   ConfigClass<PaperModel>(module, "PaperModel", about("paper"));
   ConfigClass<MaterialOverride>(module, "MaterialOverride", about("materials"));
   add_materials(module);

@@ -99,6 +99,9 @@ class Material:
 class PointTarget:
     # FIELDS
 
+class ProfilePoint:
+    # FIELDS
+
 class Interferer:
     # FIELDS
 

@@ -29,13 +29,23 @@ def names_in(path):
 class AcousticsTest(unittest.TestCase):
     def test_nothing_in_the_headers_is_missing(self):
         headers = sorted((SOURCES / "include/insonify/acoustics").glob("*.h"))
-        self.assertEqual(len(headers), 9)
+        self.assertEqual(len(headers), 10)
         count = 0
         for header in headers:
             for name in set().union(*names_in(header)):
                 self.assertTrue(hasattr(acoustics, name), f"{header.name}: {name}")
                 count += 1
         self.assertGreater(count, 45)
+
+    def test_rays_bend_as_in_cpp(self):
+        water = acoustics.SoundSpeedProfile([(50, 1550), insonify.ProfilePoint(depth=150, sound_speed=1450)])
+        there = water.at_distance(100, 0, 50)
+        self.assertAlmostEqual(there.depth, 100.8335649435050052, 9)
+        self.assertAlmostEqual(water.after_time(100, 0, there.time).distance, 50, 9)
+        self.assertAlmostEqual(water.eigenray(100, there.depth, 50).launch_angle, 0, 9)
+        self.assertIsNone(acoustics.SoundSpeedProfile([(0, 1520), (400, 1320)]).eigenray(20, 30, 1300))
+        with self.assertRaisesRegex(insonify.Error, r"points\[1\]\.depth = 0 m must be greater than points\[0\]"):
+            acoustics.SoundSpeedProfile([(0, 1500), (0, 1500)])
 
     def test_similarity_has_all_measures(self):
         functions, _, structs = names_in(SOURCES / "include/insonify/similarity.h")
