@@ -135,6 +135,10 @@ struct Scenario {
   /// trajectory. The only source of sound speed and absorption.
   [[nodiscard]] Water water_at(const SonarConfig& sonar) const;
 
+  /// World z of the surface, where depth is 0: that of `surface`, else `water.depth` above the sonar at the start of
+  /// the trajectory [m].
+  [[nodiscard]] double surface_height(const SonarConfig& sonar) const;
+
   /// The settings of a sonar with derived ones filled in: assumed sound speed and ping period.
   [[nodiscard]] SonarConfig filled_in(SonarConfig sonar) const;
 
@@ -256,7 +260,8 @@ struct Scenario {
 
 template <typename Self, typename Visit>
 void Scenario::visit_parts(Self& self, Visit&& visit) {
-  visit(Part{"water", "map", "The water: see `water`.", "The water, the same everywhere."}, self.water);
+  visit(Part{"water", "map", "The water: see `water`.", "The water, the same everywhere unless it has a `profile`."},
+        self.water);
   visit(Part{"materials", "map of object names", "What surfaces are made of: see `materials`.",
              "One entry for each name of a visual or a material: `hull: steel` or `hull: {like: steel, lambert_db: "
              "-15}`."},
@@ -299,6 +304,7 @@ void Scenario::visit_parts(Self& self, Visit&& visit) {
 }
 
 // Their tables are compiled once, in src/simulator/scenario_tables.cpp.
+extern template const SettingsTable& table_of<ProfilePoint>();
 extern template const SettingsTable& table_of<Water>();
 extern template const SettingsTable& table_of<PaperModel>();
 extern template const SettingsTable& table_of<ReceiverConfig>();

@@ -3,13 +3,15 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
+#include "insonify/acoustics/sound_speed_profile.h"
 #include "insonify/settings_table.h"
 
 namespace insonify {
 
-/// A homogeneous body of water. Limits are those of the absorption formula (acoustics/absorption.h) and, for salinity
-/// 0, of the sound-speed formula (acoustics/sound_speed.h).
+/// A body of water, homogeneous but for its sound speed where that has a profile. Limits are those of the absorption
+/// formula (acoustics/absorption.h) and, for salinity 0, of the sound-speed formula (acoustics/sound_speed.h).
 struct Water {
   double temperature_c = 10.0;             ///< Temperature [degC], -6..35.
   double salinity = 35.0;                  ///< Practical salinity [PSU], 0..50. Zero is fresh water.
@@ -22,15 +24,17 @@ struct Water {
 
   std::optional<double> volume_backscatter_db = {};  ///< S_v, volume backscattering strength [dB re 1/m], -150..-20;
                                                      ///< absent: no volume reverberation.
+  std::vector<ProfilePoint> profile = {};            ///< Sound speed by depth; empty: the same everywhere.
 
-  /// The given sound speed, else that of Chen and Millero at this temperature, salinity and depth [m/s].
+  /// The sound speed of the profile at this depth; else the given one; else that of Chen and Millero at this
+  /// temperature, salinity and depth [m/s].
   [[nodiscard]] double true_sound_speed() const;
 
   /// One-way absorption: the given one, else after Ainslie and McColm; 0 when switched off [dB/m].
   /// @param frequency [Hz], > 0.
   [[nodiscard]] double absorption_db_per_m_at(double frequency) const;
 
-  /// @throws Error on the first field out of limits.
+  /// @throws Error on the first field out of limits, also of the profile, and for both a profile and a sound speed.
   void validate() const;
 
   template <typename Self, typename Visit>
@@ -51,6 +55,15 @@ struct Water {
                 "volume reverberation when absent (calibrated model).",
                 ActsIn::kCalibrated},
           self.volume_backscatter_db);
+  }
+
+  template <typename Self, typename Visit>
+  static void visit_parts(Self& self, Visit&& visit) {
+    visit(Part{"profile", "list of points", "Sound speed by depth, which bends rays: see `profile`.",
+               "One entry for each point of the profile, from the surface down: `{depth: 5, sound_speed: 1500}`, or "
+               "with `temperature_c` and `salinity`. Speed is linear between them. Instead of the list, a file: "
+               "`profile: cast.svp` ([formats](../concepts/sound-speed-profile.md#files))."},
+          self.profile);
   }
 };
 

@@ -17,6 +17,10 @@
 namespace insonify {
 namespace {
 
+// Steepest change of sound speed with depth in a profile, by an order of magnitude beyond measured ones [1/s]. Rays
+// that are bent more take legs of millimetres.
+constexpr double kSteepest = 100;
+
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
 // Duration of the way between two points of a layer. In a half-plane whose speed is linear, travel time is hyperbolic
@@ -75,6 +79,13 @@ void check_profile(std::span<const ProfilePoint> points, std::string_view object
                   fmt::format(" = {:.10g} m must be greater than {}[{}].depth = {:.10g} m", points[i].depth, object,
                               i - 1, points[i - 1].depth));
     }
+    const double gradient =
+        i > 0 ? (points[i].speed() - points[i - 1].speed()) / (points[i].depth - points[i - 1].depth) : 0;
+    if (std::abs(gradient) > kSteepest) {
+      throw Error(name, "",
+                  fmt::format(" changes by {:.4g} m/s in each metre from {}[{}]; must be at most {} m/s", gradient,
+                              object, i - 1, kSteepest));
+    }
   }
 }
 
@@ -117,22 +128,37 @@ bool SoundSpeedProfile::is_constant() const {
   return std::ranges::all_of(layers_, [](const Layer& layer) { return layer.gradient == 0; });
 }
 
+double SoundSpeedProfile::least_radius() const {
+  double radius = kNowhere;
+  for (const Layer& layer : layers_) {
+    if (layer.gradient != 0) {
+      const double slowest = std::min(layer.speed, layer.speed_at(layer.bottom));
+      radius = std::min(radius, slowest / std::abs(layer.gradient));
+    }
+  }
+  return radius;
+}
+
 SoundSpeedProfile::State SoundSpeedProfile::start(double depth, double launch_angle) const {
   return {layer_at(depth), {.distance = 0, .depth = depth, .angle = launch_angle, .time = 0}};
 }
 
-// Whether a ray runs along the boundary that it is at, since both layers bend it back. Near the axis of such a channel
-// it would take 1e6 legs for a few metres, and is no further from it than angle^2 R/2.
+// Whether a ray runs along the boundary that it is at, since both layers bend it back before it is kOffAxis away. Near
+// the axis of such a channel it would take ever more legs.
 bool SoundSpeedProfile::runs_along(const State& state) const {
-  constexpr double kAlongAxis = 1e-6;
+  constexpr double kOffAxis = 1e-6;  // [m]
   const Layer& layer = layers_[state.layer];
   const bool at_top = state.at.depth == layer.top, at_bottom = state.at.depth == layer.bottom;
-  if (std::abs(state.at.angle) > kAlongAxis || (!at_top && !at_bottom)) {
+  if (!at_top && !at_bottom) {
     return false;
   }
-  const Layer& above = at_top ? layers_[state.layer - 1] : layer;
-  const Layer& below = at_top ? layer : layers_[state.layer + 1];
-  return above.gradient <= 0 && below.gradient >= 0;
+  const double above = at_top ? layers_[state.layer - 1].gradient : layer.gradient;
+  const double below = at_top ? layer.gradient : layers_[state.layer + 1].gradient;
+  if (state.at.angle == 0) {
+    return above <= 0 && below >= 0;
+  }
+  const double weakest = std::min(-above, below);  // An arc rises by R angle^2/2.
+  return weakest > 0 && state.at.angle * state.at.angle * layer.speed_at(state.at.depth) < 2 * weakest * kOffAxis;
 }
 
 // Along the ray cos(angle)/c is constant (Snell), so that sin^2 at another depth is sin^2 here less what cos^2 gains.

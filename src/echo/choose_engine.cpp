@@ -34,6 +34,9 @@ ExpectedTimes expected_times(const PingLoad& load) {
 
 std::optional<std::string> against_device(const PingLoad& load) {
   constexpr double kDeviceStart = 0.3;  // To open the drivers and to compile the kernels [s].
+  if (load.bends_rays) {
+    return "water.profile bends rays, which a graphics card does not trace";
+  }
   if (load.beams == 1) {
     return "the single beam of a scanning head is too little work for a graphics card";
   }

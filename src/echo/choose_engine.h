@@ -18,6 +18,7 @@ struct PingLoad {
   double triangles = 0;     ///< Triangles in the scene.
   int threads = 1;          ///< Threads on the host.
   std::uint64_t pings = 0;  ///< Pings of each sonar that will be made; 0: unknown, many.
+  bool bends_rays = false;  ///< Whether the water bends rays.
 };
 
 /// Expected times of one ping of each sonar [s], without what engines have in common: receivers and sources.

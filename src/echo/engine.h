@@ -24,6 +24,7 @@ namespace insonify {
 struct EngineKind {
   std::string_view name;         ///< Lower case, as in scenarios and on the command line.
   bool draws_primaries = false;  ///< Whether it can rasterise primary echoes (PrimaryEchoes::kRaster).
+  bool bends_rays = false;       ///< Whether it traces rays through layered water (PingView::refraction).
   /// @param device  See Scenario::device; "" for an engine that has no choice.
   std::unique_ptr<Engine> (*make)(Workers& workers, std::string_view device) = nullptr;
   /// Name of the device in hardware that it would compute on, for `auto`, which takes no other; null for an engine on
@@ -47,7 +48,8 @@ void add_engine_kind(const EngineKind& kind);
 struct RayRun {
   const Placement* placement = nullptr;  ///< Null: all instances are as the engine has them.
   std::span<const Ray> rays;
-  std::span<Hit> hits;  ///< [ray] The first surface along each.
+  std::span<Hit> hits;                     ///< [ray] The first surface along each.
+  const Refraction* refraction = nullptr;  ///< See PingView::refraction: rays and hits are then in apparent space.
 };
 
 /// Finds the echoes of pings on one kind of hardware.
@@ -62,6 +64,9 @@ class Engine {
 
   /// For batches of the paper's model only: set_scene() finds no plane faces, which that model does not use.
   void expect_paper() { expects_paper_ = true; }
+
+  /// For batches through layered water only: set_scene() finds no plane faces, which are not plane in apparent space.
+  void expect_refraction() { expects_refraction_ = true; }
 
   /// Sets the scene. Positions are stored relative to the middle of its bounds, so that large survey coordinates lose
   /// no precision. The scene must outlive the engine or the next call.
@@ -99,9 +104,10 @@ class Engine {
 
  protected:
   [[nodiscard]] bool expects_paper() const { return expects_paper_; }
+  [[nodiscard]] bool expects_refraction() const { return expects_refraction_; }
 
  private:
-  bool expects_paper_ = false;
+  bool expects_paper_ = false, expects_refraction_ = false;
 };
 
 /// Makes an engine by name.

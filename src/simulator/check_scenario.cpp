@@ -15,6 +15,7 @@ namespace {
 
 // The depth of a sonar's water is that at which it starts, below the surface.
 void check_water(const Scenario& scenario) {
+  scenario.water.validate();
   for (std::size_t i = 0; scenario.surface && i < scenario.sonars.size(); ++i) {
     constexpr double kMost = 7000;
     const double depth = scenario.water_at(scenario.sonars[i]).depth;
@@ -23,6 +24,13 @@ void check_water(const Scenario& scenario) {
                   fmt::format(" = {:.7g} m puts sonars[{}] {:.7g} m deep; must be at most {:.7g} m",
                               scenario.surface->level, i, depth, kMost));
     }
+  }
+}
+
+void check_profile_of(const Scenario& scenario) {
+  if (scenario.primary == PrimaryEchoes::kRaster && !scenario.water.profile.empty()) {
+    throw Error("", "primary", " = raster draws along straight rays; with water.profile it must be auto or rays",
+                {"water.profile"});
   }
 }
 
@@ -189,6 +197,7 @@ void Scenario::validate() const {
   }
   check_engine(*this);
   check_water(*this);
+  check_profile_of(*this);
   receiver.validate();
   check_materials(materials);
   check_sonars(*this);

@@ -99,8 +99,8 @@ Source edge_echoes(const SourceSettings& settings, const SourceSet& before) {
 
 Source point_ghosts(const SourceSettings& settings, const SourceSet&) {
   const Scenario& scenario = settings.scenario;
-  if (scenario.points.empty()) {
-    return nullptr;
+  if (scenario.points.empty() || settings.bent) {
+    return nullptr;  // Mirrors are not plane in apparent space.
   }
   std::optional<PointGhosts::Surface> water;
   if (settings.water) {

@@ -20,6 +20,7 @@ struct SourceSettings {
   const Aperture& aperture;
   std::span<const SendingSonar> senders;  ///< All sonars, where they receive each other's pulses; else empty.
   std::optional<SurfaceLabel> water;      ///< The sea's surface; none where there is no sea surface.
+  bool bent = false;                      ///< Whether the water bends rays.
 };
 
 /// The sources that the pings of an aperture have; none in the paper model. To add a kind of source, write its class

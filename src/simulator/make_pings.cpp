@@ -113,6 +113,9 @@ void Simulator::State::add_views(std::size_t i, const PingOrder& order) {
     if (sea) {
       sea->check(position);
     }
+    if (layers) {
+      layers->check(scenario, of.config, position);
+    }
     load_scene();
     Placement& placement = *placements_[i];
     placement.at_home = at_home;
@@ -154,7 +157,7 @@ SourceSet* Simulator::State::sources_of(Aperture& aperture, std::size_t slot) {
   while (aperture.sources.size() <= slot) {
     const std::optional<SurfaceLabel> water = sea ? std::optional(sea->label()) : std::nullopt;
     aperture.sources.push_back(
-        std::make_unique<SourceSet>(make_sources({scenario, targets, aperture, senders, water})));
+        std::make_unique<SourceSet>(make_sources({scenario, targets, aperture, senders, water, layers.has_value()})));
   }
   return aperture.sources[slot].get();
 }
@@ -237,6 +240,21 @@ void Simulator::State::aim_receivers(std::size_t first, std::size_t count) {
   }
 }
 
+// Sets how the water bends the rays of views. Sonars at one depth share tables.
+void Simulator::State::bend_rays(std::size_t first, std::size_t count) {
+  if (!layers) {
+    return;
+  }
+  refractions_.resize(std::max(refractions_.size(), count));
+  const Refraction* before = refractions_.front().get();
+  for (std::size_t i = 0; i < count; ++i) {
+    PingView& view = views_[first + i];
+    refractions_[i] = layers->refraction(scenario, shots_[first + i].sonar->config, view, workers, before);
+    before = refractions_[i].get();
+    view.refraction = before;
+  }
+}
+
 void Simulator::State::make_batch(std::size_t first, std::size_t count) {
   const auto threads = static_cast<std::size_t>(workers.count());
   const std::span<const Shot> shots = std::span(shots_).subspan(first, count);
@@ -250,6 +268,7 @@ void Simulator::State::make_batch(std::size_t first, std::size_t count) {
     }
   }
   aim_receivers(first, count);
+  bend_rays(first, count);
   Receiver receiver(*this, first);
   runner->run(std::span(views_).subspan(first, count), sources_, receiver);
   for (std::size_t i = 0; i < count; ++i) {

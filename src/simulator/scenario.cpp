@@ -23,6 +23,10 @@ Water Scenario::water_at(const SonarConfig& sonar) const {
   return at_depth;
 }
 
+double Scenario::surface_height(const SonarConfig& sonar) const {
+  return surface ? surface->level : (trajectory.at(0) * sonar.position).z() + water.depth;
+}
+
 SonarConfig Scenario::filled_in(SonarConfig sonar) const {
   sonar.assumed_sound_speed = sonar.assumed_sound_speed.value_or(water_at(sonar).true_sound_speed());
   sonar.ping_period = sonar.ping_period.value_or(sonar.shortest_ping_period(*sonar.assumed_sound_speed));

@@ -4,6 +4,7 @@
 
 namespace insonify {
 
+template const SettingsTable& table_of<ProfilePoint>();
 template const SettingsTable& table_of<Water>();
 template const SettingsTable& table_of<PaperModel>();
 template const SettingsTable& table_of<ReceiverConfig>();

@@ -2,8 +2,11 @@
 
 #include "simulator/simulator_state.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "base/log_line.h"
 #include "echo/choose_engine.h"
 #include "insonify/error.h"
 #include "simulator/checks.h"
@@ -38,6 +41,14 @@ Simulator::State::State(Scenario the_scenario, Scene the_scene, int threads, std
   if (scenario.surface) {
     sea.emplace(scenario, scene);
   }
+  if (LayeredWater::is_of(scenario)) {
+    layers.emplace(scenario);
+    if (scenario.model == EchoModel::kCalibrated) {
+      log_line(log, Severity::kWarning,
+               "water.profile bends rays: thin parts, edges and glints of plane faces echo as other surfaces do, and "
+               "there are no images of points by mirrors, nor paths back over the water's surface");
+    }
+  }
   for (const SonarConfig& sonar : scenario.sonars) {
     sonars.push_back(simulated(scenario, sonar));
   }
@@ -48,7 +59,9 @@ Simulator::State::State(Scenario the_scenario, Scene the_scene, int threads, std
 
 void Simulator::State::start_engine(const Log& log, std::uint64_t pings) {
   if (scenario.engine == kAutoEngine) {
-    const EngineChoice choice = choose_engine(load_of(scene, sonars, workers.count(), pings), scenario.device);
+    PingLoad load = load_of(scene, sonars, workers.count(), pings);
+    load.bends_rays = layers.has_value();
+    const EngineChoice choice = choose_engine(load, scenario.device);
     engine_choice = choice.text;
     if (choice.kind->find_hardware == nullptr) {
       engine = choice.kind->make(workers, "");
@@ -62,6 +75,17 @@ void Simulator::State::start_engine(const Log& log, std::uint64_t pings) {
   }
   if (scenario.model == EchoModel::kPaper) {
     engine->expect_paper();
+  }
+  if (layers) {
+    if (!engine->kind().bends_rays) {
+      throw Error(
+          "", "engine",
+          fmt::format(" = {} traces straight rays, and water.profile bends them; cpu, reference and auto do too",
+                      engine->kind().name),
+          {"water.profile"})
+          .located(scenario.places);
+    }
+    engine->expect_refraction();
   }
 }
 
@@ -100,13 +124,16 @@ void Simulator::State::load_scene() {
   if (!scene_changed) {
     return;
   }
+  check_profile_covers(scenario, scene);
   engine->set_scene(scene);
   start_runner();
   at_home.clear();
   for (const Instance& instance : scene.instances) {
     at_home.push_back(instance.world_from_mesh);
   }
-  if (scenario.model == EchoModel::kCalibrated) {
+  if (layers) {
+    targets = no_targets();
+  } else if (scenario.model == EchoModel::kCalibrated) {
     std::optional<WaterMirror> water;
     if (sea) {
       water = WaterMirror{.level = scenario.surface->level, .surface = sea->label()};

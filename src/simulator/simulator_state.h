@@ -15,6 +15,7 @@
 #include "echo/targets/scene_targets.h"
 #include "insonify/simulator.h"
 #include "receiver/ping_motion.h"
+#include "simulator/layered_water.h"
 #include "simulator/movable_objects.h"
 #include "simulator/mutual_interference.h"
 #include "simulator/sea_plane.h"
@@ -60,6 +61,7 @@ struct Simulator::State {
   std::optional<BatchRunner> runner;
   MovableObjects objects;
   std::optional<SeaPlane> sea;
+  std::optional<LayeredWater> layers;  ///< Where the water bends rays.
   SceneTargets targets;
   std::vector<Pose> at_home;  ///< [instance] World from mesh, in the scene.
   std::vector<SimulatedSonar> sonars;
@@ -72,6 +74,7 @@ struct Simulator::State {
   class Receiver;
 
   /// Makes the engine of the scenario.
+  /// @throws Error for one that does not bend rays where the water does.
   void start_engine(const Log& log, std::uint64_t pings);
 
   /// Makes the runner of batches for the present engine.
@@ -97,6 +100,7 @@ struct Simulator::State {
   // @param first, count  The views in `views_`.
   void make_batch(std::size_t first, std::size_t count);
   void aim_receivers(std::size_t first, std::size_t count);
+  void bend_rays(std::size_t first, std::size_t count);
 
   // False if the device of `spare` has failed, with another engine in its place.
   bool try_batch(std::size_t first, std::size_t count);
@@ -113,6 +117,7 @@ struct Simulator::State {
   std::vector<std::vector<DisplacedInstance>> displaced_;  // [order]
   std::vector<SourceSet*> sources_;
   std::vector<std::unique_ptr<Reception>> receptions_;
+  std::vector<std::unique_ptr<Refraction>> refractions_;  // [view of the batch]
 };
 
 }  // namespace insonify

@@ -282,6 +282,7 @@ TEST(SoundSpeedProfileTest, SpeedIsLinearBetweenPointsAndConstantBeyond) {
   EXPECT_EQ(water.first_depth(), 10);
   EXPECT_EQ(water.last_depth(), 20);
   EXPECT_FALSE(water.is_constant());
+  EXPECT_EQ(water.least_radius(), 740);  // 1480 m/s over 2 1/s.
 }
 
 TEST(SoundSpeedProfileTest, TemperatureAndSalinityGiveTheSpeedOfChenAndMillero) {
@@ -303,6 +304,8 @@ TEST(SoundSpeedProfileTest, SaysWhatIsWrongWithAPoint) {
   EXPECT_EQ(fault({{.depth = -1, .sound_speed = 1500}}), "water.profile[0].depth = -1 m must be from 0 to 12000 m");
   EXPECT_EQ(fault({{.depth = 1, .temperature_c = 4}}),
             "water.profile[0] must have a sound_speed, or temperature_c and salinity");
+  EXPECT_EQ(fault({first, {.depth = 5.1, .sound_speed = 1511}}),
+            "water.profile[1] changes by 110 m/s in each metre from water.profile[0]; must be at most 100 m/s");
   EXPECT_EQ(message_of([] { (void)SoundSpeedProfile({}); }), "profile must have a point");
 }
 

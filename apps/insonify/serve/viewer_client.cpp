@@ -19,6 +19,9 @@ void refuse_files(const std::vector<std::string>& settings) {
     std::string_view key = setting;
     key = key.substr(key.starts_with("--") ? 2 : 0);
     key = key.substr(0, key.find_first_of("=.["));
+    if (key == "water" && setting.find("profile") != std::string::npos) {
+      throw Error("water.profile can name files, and cannot be set by a client");
+    }
     for (const std::string_view with_files : {"world", "materials", "trajectory", "motions"}) {
       if (key == with_files) {
         throw Error(fmt::format("{} can name files, and cannot be set by a client", key));

@@ -36,7 +36,7 @@ struct ProfilePoint {
   }
 };
 
-/// Checks each point, and that depths rise.
+/// Checks each point, that depths rise, and that speed changes by at most 100 m/s in a metre.
 /// @param object  Name of the list in messages: "water.profile".
 /// @throws Error "water.profile[3].depth = 5 m must be greater than water.profile[2].depth = 5 m"
 void check_profile(std::span<const ProfilePoint> points, std::string_view object);
@@ -71,6 +71,9 @@ class SoundSpeedProfile {
 
   /// Whether speed is the same at all depths, and rays are straight.
   [[nodiscard]] bool is_constant() const;
+
+  /// Radius of the sharpest bend of any ray, the least of c/|g|; infinite where speed is constant [m].
+  [[nodiscard]] double least_radius() const;
 
   /// Depths of the first and the last point [m].
   [[nodiscard]] double first_depth() const { return layers_.front().bottom; }

@@ -75,10 +75,10 @@ bool BatchRunner::trace() {
       source.sights.resize(source.asked.sights.size());
       source.passed.clear();
       if (!source.hits.empty()) {
-        runs_.push_back({views_[view].placement, source.asked.rays, source.hits});
+        runs_.push_back({views_[view].placement, source.asked.rays, source.hits, views_[view].refraction});
       }
       if (!source.sights.empty()) {
-        runs_.push_back({views_[view].placement, source.asked.sights, source.sights});
+        runs_.push_back({views_[view].placement, source.asked.sights, source.sights, views_[view].refraction});
         if (views_[view].plan->sees_through()) {
           source.passed.assign(source.sights.size(), 1);
           sees_through = true;
@@ -108,7 +108,7 @@ void BatchRunner::trace_behind() {
         }
         continue_sights(*views_[view].plan, source);
         if (!source.continued.empty()) {
-          runs_.push_back({views_[view].placement, source.continued, source.met});
+          runs_.push_back({views_[view].placement, source.continued, source.met, views_[view].refraction});
           continuing_.push_back(&source);
         }
       }

@@ -13,6 +13,8 @@
 
 namespace insonify {
 
+class Refraction;
+
 /// Poses of a scene's instances: those of the scene, except for the few that have moved.
 struct Placement {
   struct Moved {
@@ -56,7 +58,8 @@ struct PingView {
   Pose world_from_sonar = {};            ///< Pose of the transducer: the head, turned, for a scanning sonar.
   const Placement* placement = nullptr;  ///< Null: all instances are as the engine has them.
   GridLayers layers = {};
-  const Reception* reception = nullptr;  ///< What an engine may receive itself; null: nothing.
+  const Reception* reception = nullptr;    ///< What an engine may receive itself; null: nothing.
+  const Refraction* refraction = nullptr;  ///< How the water bends rays; null: they are straight.
 
   // For echo sources; engines do not read these.
   std::uint64_t number = 0;      ///< Number of the ping.

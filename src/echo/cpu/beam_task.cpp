@@ -29,8 +29,10 @@ void set_relief(const ReliefLanes& reliefs, int lane, int count, const HitColumn
 
 }  // namespace
 
-void BeamTask::prepare(const FlatPlan& plan, SecondarySampling sampling, const LeftOut* left_out) {
+void BeamTask::prepare(const FlatPlan& plan, SecondarySampling sampling, const Refraction* refraction,
+                       const LeftOut* left_out) {
   plan_ = &plan;
+  refraction_ = refraction;
   left_out_ = left_out;
   sampling_ = sampling;
   primary_count_ = 0;
@@ -102,10 +104,13 @@ bool BeamTask::read_tile(int first_row) {
   }
   scene_.shade(primary_.rays.hit, shading_);
   if (scene_.reliefs().any()) {
-    scene_.add_relief(primary_.rays, shading_, reliefs_);
-    for (int i = 0; i < kTile; ++i) {
-      set_relief(reliefs_, i * kTile, kTile, hits_[i], first_row);
-    }
+    scene_.add_relief(primary_.rays, refraction_, shading_, reliefs_);
+  }
+  if (refraction_ != nullptr) {
+    scene_.appear(primary_.rays.ray, *refraction_, shading_, scene_.reliefs().any() ? &reliefs_ : nullptr);
+  }
+  for (int i = 0; i < kTile && scene_.reliefs().any(); ++i) {
+    set_relief(reliefs_, i * kTile, kTile, hits_[i], first_row);
   }
   float range[kPacketSize];
   for (int lane = 0; lane < kPacketSize; ++lane) {
@@ -166,7 +171,7 @@ bool BeamTask::read_tile_behind(int columns, int first_row, int rows) {
     primary_count_ += passed > 0 ? 1 : 0;
   }
   primary_.set_reach(plan_->true_max_range);
-  primary_.intersect(scene_.handle());
+  scene_.intersect(primary_, refraction_);
   return read_tile(first_row);
 }
 
@@ -176,7 +181,7 @@ void BeamTask::trace_strip(int first_column) {
   for (int row = 0; row < plan_->lattice.rows; row += kTile) {
     primary_count_ += load_tile(first_column, row);
     primary_.set_reach(plan_->true_max_range);
-    primary_.intersect(scene_.handle());
+    scene_.intersect(primary_, refraction_);
     rows_met = read_tile(row) ? row + kTile : rows_met;
   }
   for (HitColumn& hits : hits_) {
@@ -252,7 +257,7 @@ void BeamTask::trace_only(const Pose& world_from_sonar, int first_beam, int last
     for (int row = 0; row < plan_->lattice.rows; row += kTile) {
       load_tile(column, row);
       primary_.set_reach(plan_->true_max_range);
-      primary_.intersect(scene_.handle());
+      scene_.intersect(primary_, refraction_);
     }
   }
 }
@@ -265,7 +270,7 @@ void BeamTask::run(const Pose& world_from_sonar, int first_beam, int last_beam, 
     raster_.draw(raster_scene_, *view, *plan_, first_column_, first_column_ + columns_);
   }
   arrivals.clear();
-  secondary_.start(*plan_, sonar_, sonar_axes_, grid, arrivals, log);
+  secondary_.start(*plan_, {sonar_, sonar_axes_, refraction_}, grid, arrivals, log);
 
   // Rounding errors of sums depend on the order of their terms, and secondary echoes are added when a packet is full.
   // So that a ping does not depend on how beams are divided into tasks, packets end where the smallest tasks would end.

@@ -24,8 +24,9 @@ struct BeamTask {
       : scene_(scene), raster_scene_(raster_scene), workers_(workers), raster_(workers), secondary_(scene) {}
 
   /// Prepares for a ping. Allocates only if it needs more memory than any ping before.
-  /// @param left_out  Parts whose primary echoes are left out; null: none.
-  void prepare(const FlatPlan& plan, SecondarySampling sampling, const LeftOut* left_out);
+  /// @param refraction  How the water bends rays; null: they are straight.
+  /// @param left_out    Parts whose primary echoes are left out; null: none.
+  void prepare(const FlatPlan& plan, SecondarySampling sampling, const Refraction* refraction, const LeftOut* left_out);
 
   /// Fills the beams [first_beam, last_beam) of the grid.
   /// @param view      The visible part of the raster scene, to rasterise primaries; null to ray-trace them.
@@ -57,6 +58,7 @@ struct BeamTask {
   const Workers& workers_;  // Asked whether to stop.
   FanRaster raster_;
   const FlatPlan* plan_ = nullptr;
+  const Refraction* refraction_ = nullptr;
   const LeftOut* left_out_ = nullptr;
   SecondarySampling sampling_ = SecondarySampling::kNone;
   int first_column_ = 0, columns_ = 0;  // Columns of the lattice; columns below count from first_column_.

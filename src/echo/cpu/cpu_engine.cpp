@@ -18,7 +18,7 @@ class CpuBatch final : public HostBatch {
       world_.place(*views.front().placement);
     }
     for (const PingView& view : views) {
-      if (CpuPing::draws(*view.plan, world_)) {
+      if (view.refraction == nullptr && CpuPing::draws(*view.plan, world_)) {
         world_.prepare_raster();
       }
     }
@@ -29,7 +29,7 @@ class CpuBatch final : public HostBatch {
     }
     for_each_view([&](std::size_t view, const Workers& workers, int worker) {
       CpuPing& ping = &workers == &workers_ ? together_ : *alone_[worker];
-      counts_[view] = ping.insonify(*views[view].plan, views[view].world_from_sonar, *grids_[view]);
+      counts_[view] = ping.insonify(views[view], *grids_[view]);
     });
   }
 
@@ -41,10 +41,12 @@ class CpuBatch final : public HostBatch {
 
 }  // namespace
 
-const EngineKind CpuEngine::kKind = {
-    .name = "cpu", .draws_primaries = true, .make = [](Workers& workers, std::string_view) -> std::unique_ptr<Engine> {
-      return std::make_unique<CpuEngine>(workers);
-    }};
+const EngineKind CpuEngine::kKind = {.name = "cpu",
+                                     .draws_primaries = true,
+                                     .bends_rays = true,
+                                     .make = [](Workers& workers, std::string_view) -> std::unique_ptr<Engine> {
+                                       return std::make_unique<CpuEngine>(workers);
+                                     }};
 
 std::unique_ptr<EchoBatch> CpuEngine::make_batch() {
   return std::make_unique<CpuBatch>(world_, workers_);
@@ -69,7 +71,7 @@ void CpuEngine::trace(std::span<const RayRun> runs) {
     }
     workers_.for_each(static_cast<int>(tasks_.size()), [&](int task, int) {
       const auto [run, ray] = tasks_[task];
-      world_.trace(run->rays.subspan(ray), run->hits.subspan(ray));
+      world_.trace(run->rays.subspan(ray), run->hits.subspan(ray), run->refraction);
     });
   }
 }

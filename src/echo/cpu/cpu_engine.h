@@ -18,7 +18,9 @@ class CpuEngine final : public Engine {
 
   static const EngineKind kKind;
   [[nodiscard]] const EngineKind& kind() const override { return kKind; }
-  void set_scene(const Scene& scene) override { world_.set(scene, !expects_paper(), workers_); }
+  void set_scene(const Scene& scene) override {
+    world_.set(scene, !expects_paper() && !expects_refraction(), workers_);
+  }
   void leave_out(std::shared_ptr<const LeftOut> left_out) override { world_.leave_out(std::move(left_out)); }
   void place(const Placement& placement) override { world_.place(placement); }
   [[nodiscard]] std::unique_ptr<EchoBatch> make_batch() override;

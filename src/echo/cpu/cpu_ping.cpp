@@ -35,16 +35,21 @@ const FanView* CpuPing::look(const FlatPlan& plan, const Pose& world_from_sonar)
   return &view_;
 }
 
-SecondarySampling CpuPing::choose_sampling(const FlatPlan& plan, const Pose& world_from_sonar) {
+SecondarySampling CpuPing::choose_sampling(const FlatPlan& plan, const Pose& world_from_sonar,
+                                           const Refraction* refraction) {
+  if (refraction != nullptr) {
+    return probes_.choose_blindly(plan);
+  }
   const std::span<const Ray> rays = probes_.aim(plan, world_from_sonar);
-  world_.trace(rays, probes_.hits());
+  world_.trace(rays, probes_.hits(), nullptr);
   return probes_.choose(plan, world_.scene().origin(), world_.scene().boxes());
 }
 
 template <typename Work>
-void CpuPing::for_each_task(const FlatPlan& plan, SecondarySampling sampling, Work&& work) {
+void CpuPing::for_each_task(const FlatPlan& plan, SecondarySampling sampling, const Refraction* refraction,
+                            Work&& work) {
   for (const auto& scratch : scratch_) {
-    scratch->prepare(plan, sampling, world_.left_out());
+    scratch->prepare(plan, sampling, refraction, world_.left_out());
   }
   workers_.for_each(task_count(), [&](int task, int worker) {
     const DenormalsOff denormals_off;
@@ -52,12 +57,14 @@ void CpuPing::for_each_task(const FlatPlan& plan, SecondarySampling sampling, Wo
   });
 }
 
-RayCounts CpuPing::insonify(const FlatPlan& plan, const Pose& world_from_sonar, EchoGrid& grid) {
-  const FanView* view = look(plan, world_from_sonar);
-  const SecondarySampling sampling = choose_sampling(plan, world_from_sonar);
+RayCounts CpuPing::insonify(const PingView& of, EchoGrid& grid) {
+  const FlatPlan& plan = *of.plan;
+  const Pose& world_from_sonar = of.world_from_sonar;
+  const FanView* view = of.refraction == nullptr ? look(plan, world_from_sonar) : nullptr;
+  const SecondarySampling sampling = choose_sampling(plan, world_from_sonar, of.refraction);
   cut_beams(plan.beam_count, workers_.count(), first_beams_);
   arrivals_.resize(std::max(arrivals_.size(), static_cast<std::size_t>(task_count())));
-  for_each_task(plan, sampling, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
+  for_each_task(plan, sampling, of.refraction, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
     scratch.run(world_from_sonar, first_beam, last_beam, view, grid, arrivals_[task]);
   });
   deposit_together(plan, workers_, grid, [&](const auto& add) {
@@ -76,8 +83,8 @@ std::vector<double> CpuPing::time_traversal(const FlatPlan& plan, const Pose& wo
   cut_beams(plan.beam_count, workers_.count(), first_beams_);
   std::vector<SecondaryTask::Log> logs(task_count());
   EchoGrid grid(plan.beam_count, plan.bin_count, kPathOrders);
-  const SecondarySampling sampling = choose_sampling(plan, world_from_sonar);
-  for_each_task(plan, sampling, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
+  const SecondarySampling sampling = choose_sampling(plan, world_from_sonar, nullptr);
+  for_each_task(plan, sampling, nullptr, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
     std::vector<Echo> arrivals;
     scratch.run(world_from_sonar, first_beam, last_beam, nullptr, grid, arrivals, &logs[task]);
   });
@@ -85,7 +92,7 @@ std::vector<double> CpuPing::time_traversal(const FlatPlan& plan, const Pose& wo
   std::vector<double> seconds;
   for (int repetition = 0; repetition < repetitions; ++repetition) {
     const auto start = std::chrono::steady_clock::now();
-    for_each_task(plan, sampling, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
+    for_each_task(plan, sampling, nullptr, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
       scratch.trace_only(world_from_sonar, first_beam, last_beam);
       for (const RayPacket& logged : logs[task].reflected) {
         RayPacket packet = logged;
@@ -93,7 +100,7 @@ std::vector<double> CpuPing::time_traversal(const FlatPlan& plan, const Pose& wo
       }
       for (const RayPacket& logged : logs[task].back) {
         RayPacket packet = logged;
-        world_.scene().occlude(packet);
+        world_.scene().occlude(packet, nullptr);
       }
     });
     seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());

@@ -23,7 +23,7 @@ class CpuPing {
 
   /// Fills the grid. The world must be placed, with its raster scene if draws() is true.
   /// @return Rays traced.
-  RayCounts insonify(const FlatPlan& plan, const Pose& world_from_sonar, EchoGrid& grid);
+  RayCounts insonify(const PingView& view, EchoGrid& grid);
 
   /// Whether a plan's primaries are rasterised.
   [[nodiscard]] static bool draws(const FlatPlan& plan, const CpuWorld& world);
@@ -35,11 +35,11 @@ class CpuPing {
   // The visible part of the raster scene if primaries are to be rasterised, else null.
   const FanView* look(const FlatPlan& plan, const Pose& world_from_sonar);
 
-  SecondarySampling choose_sampling(const FlatPlan& plan, const Pose& world_from_sonar);
+  SecondarySampling choose_sampling(const FlatPlan& plan, const Pose& world_from_sonar, const Refraction* refraction);
 
   // Calls work(scratch, first_beam, last_beam, task) for every task of a ping.
   template <typename Work>
-  void for_each_task(const FlatPlan& plan, SecondarySampling sampling, Work&& work);
+  void for_each_task(const FlatPlan& plan, SecondarySampling sampling, const Refraction* refraction, Work&& work);
   [[nodiscard]] int task_count() const { return static_cast<int>(first_beams_.size()) - 1; }
 
   const CpuWorld& world_;

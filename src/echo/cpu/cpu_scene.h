@@ -13,6 +13,7 @@
 #include "echo/grid/echo.h"
 #include "echo/mirror/faces.h"
 #include "echo/mirror/water_path.h"
+#include "echo/model/refraction.h"
 #include "echo/model/reliefs.h"
 #include "echo/rays/box_cut.h"
 #include "insonify/scene.h"
@@ -39,10 +40,19 @@ class CpuScene {
 
   [[nodiscard]] RTCScene handle() const { return scene_; }
 
-  /// Calls RayPacket::occlude(). Coherent packets are avoided if there are Embree instances: there, Embree compiled by
-  /// GCC 12 may never return, because it reads 64 bits of a mask that has 16 (github.com/RenderKit/embree/pull/574).
-  void occlude(RayPacket& packet) const {
-    packet.occlude(scene_, any_placed_ ? Coherence::kScattered : Coherence::kAlike);
+  /// Finds the nearest hit of each ray.
+  /// @param refraction  Null: rays are straight. Else they, and the distances of their hits, are in apparent space;
+  ///                    normals are still true: see appear().
+  void intersect(RayPacket& packet, const Refraction* refraction) const {
+    refraction == nullptr ? packet.intersect(scene_) : intersect_bent(packet, *refraction);
+  }
+
+  /// Finds whether each ray hits anything. Coherent packets are avoided if there are Embree instances: there, Embree
+  /// compiled by GCC 12 may never return, because it reads 64 bits of a mask that has 16
+  /// (github.com/RenderKit/embree/pull/574).
+  void occlude(RayPacket& packet, const Refraction* refraction) const {
+    refraction == nullptr ? packet.occlude(scene_, any_placed_ ? Coherence::kScattered : Coherence::kAlike)
+                          : occlude_bent(packet, *refraction);
   }
 
   /// The water's surface.
@@ -86,12 +96,19 @@ class CpuScene {
 
   /// After shade(): evaluates the relief at the hits of sixteen rays and multiplies reflectivities by it.
   /// @param reliefs  Receives the relief at each hit; flat where nothing was hit.
-  void add_relief(const RTCRayHit16& rays, Shading& shading, ReliefLanes& reliefs) const;
+  void add_relief(const RTCRayHit16& rays, const Refraction* refraction, Shading& shading, ReliefLanes& reliefs) const;
 
   /// The same, and tilts the normals.
-  void bend_normals(const RTCRayHit16& rays, Shading& shading) const;
+  void bend_normals(const RTCRayHit16& rays, const Refraction* refraction, Shading& shading) const;
+
+  /// Last, with refraction: turns normals and gradients of hits from true to apparent space.
+  /// @param reliefs  May be null.
+  void appear(const RTCRay16& rays, const Refraction& refraction, Shading& shading, ReliefLanes* reliefs) const;
 
  private:
+  void intersect_bent(RayPacket& packet, const Refraction& refraction) const;
+  void occlude_bent(RayPacket& packet, const Refraction& refraction) const;
+
   // A mesh in its own frame, shared by all that are placed.
   struct MeshScene {
     explicit MeshScene(RTCDevice device) : handle(rtcNewScene(device)) {}

@@ -84,7 +84,8 @@ FaceEdges CpuScene::face_edges(SurfaceLabel surface, std::uint32_t triangle, con
   return FaceEdges::of(face, from_corner, part.rotation);
 }
 
-void CpuScene::add_relief(const RTCRayHit16& rays, Shading& shading, ReliefLanes& reliefs) const {
+void CpuScene::add_relief(const RTCRayHit16& rays, const Refraction* refraction, Shading& shading,
+                          ReliefLanes& reliefs) const {
   const RTCRay16& ray = rays.ray;
   ReliefHits hits;
   for (int lane = 0; lane < kPacketSize; ++lane) {
@@ -97,6 +98,11 @@ void CpuScene::add_relief(const RTCRayHit16& rays, Shading& shading, ReliefLanes
     hits.normal_x[lane] = shading.normal_x[lane];
     hits.normal_y[lane] = shading.normal_y[lane];
     hits.normal_z[lane] = shading.normal_z[lane];
+    if (refraction != nullptr && surface != kNoSurface) {
+      const Vec3f sonar = (refraction->sonar() - origin_).cast<float>();
+      const Vec3f place = sonar + refraction->true_offset(Vec3f(hits.x[lane], hits.y[lane], hits.z[lane]) - sonar);
+      hits.set(lane, hits.instance[lane], hits.triangle[lane], place, shading.normal(lane));
+    }
   }
   reliefs_.find(hits, reliefs);
   for (int lane = 0; lane < kPacketSize; ++lane) {
@@ -105,9 +111,9 @@ void CpuScene::add_relief(const RTCRayHit16& rays, Shading& shading, ReliefLanes
   }
 }
 
-void CpuScene::bend_normals(const RTCRayHit16& rays, Shading& shading) const {
+void CpuScene::bend_normals(const RTCRayHit16& rays, const Refraction* refraction, Shading& shading) const {
   ReliefLanes reliefs;
-  add_relief(rays, shading, reliefs);
+  add_relief(rays, refraction, shading, reliefs);
   reliefs.bend(shading.normal_x, shading.normal_y, shading.normal_z);
 }
 

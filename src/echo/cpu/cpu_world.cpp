@@ -56,17 +56,17 @@ EngineMemory CpuWorld::memory() const {
   return {scene_.bytes() + raster_scene_.bytes(), scene_.embree_bytes()};
 }
 
-void CpuWorld::trace(std::span<const Ray> rays, std::span<Hit> hits) const {
+void CpuWorld::trace(std::span<const Ray> rays, std::span<Hit> hits, const Refraction* refraction) const {
   const DenormalsOff denormals_off;
   const std::size_t end = std::min(rays.size(), kRaysTogether);
   for (std::size_t first = 0; first < end; first += kPacketSize) {
     const std::size_t count = std::min<std::size_t>(kPacketSize, end - first);
-    trace_packet(rays.subspan(first, count), hits.subspan(first, count));
+    trace_packet(rays.subspan(first, count), hits.subspan(first, count), refraction);
   }
 }
 
 // Traces at most kPacketSize rays.
-void CpuWorld::trace_packet(std::span<const Ray> rays, std::span<Hit> hits) const {
+void CpuWorld::trace_packet(std::span<const Ray> rays, std::span<Hit> hits, const Refraction* refraction) const {
   RayPacket packet;
   const auto count = static_cast<int>(rays.size());
   packet.set_count(count);
@@ -79,12 +79,16 @@ void CpuWorld::trace_packet(std::span<const Ray> rays, std::span<Hit> hits) cons
     reach = std::max(reach, static_cast<float>(ray.max_distance));
   }
   packet.set_reach(reach);
-  packet.intersect(scene_.handle());
+  scene_.intersect(packet, refraction);
   CpuScene::Shading shading;
   scene_.shade(packet.rays.hit, shading);
-  const CpuScene::Shading flat = shading;
+  CpuScene::Shading flat = shading;
   if (scene_.reliefs().any()) {
-    scene_.bend_normals(packet.rays, shading);
+    scene_.bend_normals(packet.rays, refraction, shading);
+  }
+  if (refraction != nullptr) {
+    scene_.appear(packet.rays.ray, *refraction, shading, nullptr);
+    scene_.appear(packet.rays.ray, *refraction, flat, nullptr);
   }
   for (int lane = 0; lane < count; ++lane) {
     const Ray& ray = rays[lane];

@@ -28,7 +28,8 @@ class CpuWorld {
   static constexpr std::size_t kRaysTogether = 1024;
 
   /// Finds the first surface along each of the first kRaysTogether rays: one thread's task.
-  void trace(std::span<const Ray> rays, std::span<Hit> hits) const;
+  /// @param refraction  Null: they are straight.
+  void trace(std::span<const Ray> rays, std::span<Hit> hits, const Refraction* refraction) const;
 
   [[nodiscard]] const CpuScene& scene() const { return scene_; }
   [[nodiscard]] const RasterScene& raster_scene() const { return raster_scene_; }
@@ -38,7 +39,7 @@ class CpuWorld {
 
  private:
   void move(int instance, const Pose& world_from_mesh);
-  void trace_packet(std::span<const Ray> rays, std::span<Hit> hits) const;
+  void trace_packet(std::span<const Ray> rays, std::span<Hit> hits, const Refraction* refraction) const;
 
   CpuScene scene_;
   const Scene* source_ = nullptr;

@@ -254,7 +254,7 @@ void SecondaryTask::finish_returns() {
   if (log_ != nullptr) {
     log_->back.push_back(back_);
   }
-  scene_.occlude(back_);
+  scene_.occlude(back_, refraction_);
   returned_ += returning_count_;
   const bool calibrated = plan_->model == EchoModel::kCalibrated;
   float power[kPacketSize];

@@ -29,15 +29,16 @@ SecondaryTask::SecondaryTask(const CpuScene& scene) : by_water_(scene), scene_(s
   }
 }
 
-void SecondaryTask::start(const FlatPlan& plan, const Vec3f& sonar, const Eigen::Matrix3f& axes, EchoGrid& grid,
-                          std::vector<Echo>& arrivals, Log* log) {
+void SecondaryTask::start(const FlatPlan& plan, const PlacedSonar& sonar, EchoGrid& grid, std::vector<Echo>& arrivals,
+                          Log* log) {
   plan_ = &plan;
-  sonar_ = sonar;
-  axes_ = axes;
+  sonar_ = sonar.position;
+  axes_ = sonar.axes;
+  refraction_ = sonar.refraction;
   grid_ = &grid;
   arrivals_ = &arrivals;
   log_ = log;
-  by_water_.start(plan, sonar, axes, grid, arrivals, log != nullptr ? &log->back : nullptr);
+  by_water_.start(plan, sonar_, axes_, refraction_ != nullptr, grid, arrivals, log != nullptr ? &log->back : nullptr);
 }
 
 void SecondaryTask::reflect(const HitColumn& strip, int stride, int first_column, int columns) {
@@ -88,7 +89,7 @@ void SecondaryTask::cull_and_trace(const HitColumn& strip) {
   if (calibrated) {
     lanes &= turn_to_facets_and_edges(strip, count, mirrors, edges);
   }
-  if (plan_->secondary == SecondaryEchoes::kSelective && --unculled_ < 0) {
+  if (plan_->secondary == SecondaryEchoes::kSelective && refraction_ == nullptr && --unculled_ < 0) {
     const unsigned candidates = lanes;
     lanes &= scene_.boxes().may_meet(candidates_.lanes());
     unculled_ = lanes == candidates ? kUnculled : 0;
@@ -185,12 +186,15 @@ void SecondaryTask::trace(RayPacket& packet, const ReflectedOrigins& origins, un
   if (log_ != nullptr) {
     log_->reflected.push_back(packet);
   }
-  packet.intersect(scene_.handle());
+  scene_.intersect(packet, refraction_);
   sent_ += static_cast<std::uint64_t>(std::popcount(lanes));
 
   scene_.shade(packet.rays.hit, shading_);
   if (scene_.reliefs().any()) {
-    scene_.bend_normals(packet.rays, shading_);
+    scene_.bend_normals(packet.rays, refraction_, shading_);
+  }
+  if (refraction_ != nullptr) {
+    scene_.appear(packet.rays.ray, *refraction_, shading_, nullptr);
   }
   if (plan_->model == EchoModel::kCalibrated) {
     return_mirrored(packet.rays.ray, origins, lanes);

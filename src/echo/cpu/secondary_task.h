@@ -16,6 +16,13 @@
 
 namespace insonify {
 
+/// Where a ping's sonar is.
+struct PlacedSonar {
+  Vec3f position;                ///< Relative to the scene's origin [m].
+  Eigen::Matrix3f axes;          ///< Its axes as columns: forward, port and up.
+  const Refraction* refraction;  ///< How the water bends rays; null: they are straight.
+};
+
 /// Traces reflected rays from selected hits, and return legs from the surfaces they hit back to the sonar.
 class SecondaryTask {
  public:
@@ -26,12 +33,9 @@ class SecondaryTask {
 
   explicit SecondaryTask(const CpuScene& scene);
 
-  /// @param sonar     Position relative to the scene's origin [m].
-  /// @param axes      The sonar's axes as columns: forward, port and up.
   /// @param arrivals  Receives echoes that may arrive in any beam.
   /// @param log       May be null.
-  void start(const FlatPlan& plan, const Vec3f& sonar, const Eigen::Matrix3f& axes, EchoGrid& grid,
-             std::vector<Echo>& arrivals, Log* log);
+  void start(const FlatPlan& plan, const PlacedSonar& sonar, EchoGrid& grid, std::vector<Echo>& arrivals, Log* log);
 
   /// Traces reflected rays from the selected hits of a strip, tile by tile, so that the rays of a packet are close
   /// together. Echoes are deposited whenever a packet of return legs is full.
@@ -74,6 +78,7 @@ class SecondaryTask {
   const FlatPlan* plan_ = nullptr;
   Vec3f sonar_;
   Eigen::Matrix3f axes_;
+  const Refraction* refraction_ = nullptr;
   EchoGrid* grid_ = nullptr;
   std::vector<Echo>* arrivals_ = nullptr;
   Log* log_ = nullptr;

@@ -22,15 +22,15 @@ WaterReturns::WaterReturns(const CpuScene& scene) : scene_(scene) {
   }
 }
 
-void WaterReturns::start(const FlatPlan& plan, const Vec3f& sonar, const Eigen::Matrix3f& axes, EchoGrid& grid,
-                         std::vector<Echo>& arrivals, std::vector<RayPacket>* log) {
+void WaterReturns::start(const FlatPlan& plan, const Vec3f& sonar, const Eigen::Matrix3f& axes, bool bent,
+                         EchoGrid& grid, std::vector<Echo>& arrivals, std::vector<RayPacket>* log) {
   plan_ = &plan;
   sonar_ = sonar.cast<double>();
   axes_ = axes;
   grid_ = &grid;
   arrivals_ = &arrivals;
   log_ = log;
-  any_ = scene_.water().exists() && plan.model == EchoModel::kCalibrated && plan.max_surfaces > 2;
+  any_ = !bent && scene_.water().exists() && plan.model == EchoModel::kCalibrated && plan.max_surfaces > 2;
 }
 
 void WaterReturns::connect(const SecondHit& hit, int column, int row, const Echo& echo) {
@@ -91,7 +91,7 @@ void WaterReturns::finish() {
       log_->push_back(*packet);
     }
     sent_ += static_cast<std::uint64_t>(count_);
-    scene_.occlude(*packet);
+    scene_.occlude(*packet, nullptr);
   }
   for (int lane = 0; lane < count_; ++lane) {
     if (!to_water_.blocked(lane) && !to_sonar_.blocked(lane)) {

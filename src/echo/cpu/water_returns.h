@@ -22,7 +22,10 @@ class WaterReturns {
 
   /// @param sonar, axes, arrivals  As SecondaryTask::start().
   /// @param log  Receives copies of the packets traced; may be null.
-  void start(const FlatPlan& plan, const Vec3f& sonar, const Eigen::Matrix3f& axes, EchoGrid& grid,
+  /// @param bent  Whether the water bends rays: then there are no such paths, since the surface is not plane in
+  /// apparent
+  ///              space.
+  void start(const FlatPlan& plan, const Vec3f& sonar, const Eigen::Matrix3f& axes, bool bent, EchoGrid& grid,
              std::vector<Echo>& arrivals, std::vector<RayPacket>* log);
 
   /// Whether there are such paths at all.

@@ -79,6 +79,14 @@ std::span<const Ray> SamplingProbes::aim(const FlatPlan& plan, const Pose& world
   return rays_;
 }
 
+SecondarySampling SamplingProbes::choose_blindly(const FlatPlan& plan) {
+  rays_.clear();
+  hits_.clear();
+  return plan.secondary == SecondaryEchoes::kNone  ? SecondarySampling::kNone
+         : plan.secondary == SecondaryEchoes::kAll ? SecondarySampling::kAll
+                                                   : SecondarySampling::kSome;
+}
+
 SecondarySampling SamplingProbes::choose(const FlatPlan& plan, const Vec3& origin, const BoxCut& boxes) const {
   if (plan.secondary != SecondaryEchoes::kSelective) {
     return plan.secondary == SecondaryEchoes::kAll ? SecondarySampling::kAll : SecondarySampling::kNone;

@@ -29,6 +29,9 @@ class SamplingProbes {
   /// @param origin  World position that the boxes are relative to.
   [[nodiscard]] SecondarySampling choose(const FlatPlan& plan, const Vec3& origin, const BoxCut& boxes) const;
 
+  /// The choice of the plan alone, instead of aim() and choose(), where rays are bent and boxes tell nothing.
+  [[nodiscard]] SecondarySampling choose_blindly(const FlatPlan& plan);
+
  private:
   std::vector<Ray> rays_;
   std::vector<Hit> hits_;

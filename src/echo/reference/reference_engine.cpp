@@ -63,10 +63,10 @@ class ReferenceBatch final : public HostBatch {
 
 }  // namespace
 
-const EngineKind ReferenceEngine::kKind = {.name = "reference",
-                                           .make = [](Workers& workers, std::string_view) -> std::unique_ptr<Engine> {
-                                             return std::make_unique<ReferenceEngine>(workers);
-                                           }};
+const EngineKind ReferenceEngine::kKind = {
+    .name = "reference", .bends_rays = true, .make = [](Workers& workers, std::string_view) -> std::unique_ptr<Engine> {
+      return std::make_unique<ReferenceEngine>(workers);
+    }};
 
 void ReferenceEngine::set_scene(const Scene& scene) {
   origin_ = scene.middle();
@@ -101,6 +101,7 @@ void ReferenceEngine::trace(std::span<const RayRun> runs) {
     if (run.placement != nullptr) {
       place(*run.placement);
     }
+    scene_.bend_by(run.refraction);
     workers_.for_each(static_cast<int>(run.rays.size()), [&](int i, int) {
       const Ray& ray = run.rays[i];
       const RayHit hit = scene_.nearest(ray);
@@ -116,6 +117,9 @@ void ReferenceEngine::trace(std::span<const RayRun> runs) {
 }
 
 SecondarySampling ReferenceEngine::choose_sampling(const FlatPlan& plan, const Pose& world_from_sonar) {
+  if (scene_.bends()) {
+    return probes_.choose_blindly(plan);
+  }
   const std::span<const Ray> rays = probes_.aim(plan, world_from_sonar);
   trace(rays, probes_.hits());
   return probes_.choose(plan, origin_, boxes_);
@@ -125,6 +129,7 @@ RayCounts ReferenceEngine::insonify(const PingView& view, EchoGrid& grid) {
   if (view.placement != nullptr) {
     place(*view.placement);
   }
+  scene_.bend_by(view.refraction);
   const FlatPlan& plan = *view.plan;
   const Pose& world_from_sonar = view.world_from_sonar;
   const int beams = plan.beam_count, per_beam = plan.lattice.columns_per_beam;

@@ -172,7 +172,7 @@ precise::MirrorIntensities ReferenceColumn::intensities(const Reflection& path) 
 void ReferenceColumn::deposit_echoes_by_water(const Reflection& path, EchoGrid& grid, std::vector<Echo>& arrivals) {
   const WaterPlane& water = scene_.water();
   const float weight = water_weight(plan_, column_, path.row);
-  if (plan_.max_surfaces < 3 || !water.exists() || water.holds(path.ray.origin.z()) || weight == 0) {
+  if (plan_.max_surfaces < 3 || !water.exists() || scene_.bends() || water.holds(path.ray.origin.z()) || weight == 0) {
     return;
   }
   const Vec3& sonar = world_from_sonar_.position;

@@ -113,7 +113,7 @@ void TriangleScene::move(int instance, const Pose& world_from_mesh) {
   reliefs_.move(instance, world_from_mesh);
 }
 
-RayHit TriangleScene::nearest(const Ray& ray) const {
+RayHit TriangleScene::nearest_straight(const Ray& ray) const {
   Crossing best;
   const Triangle* hit = nullptr;
   visit_near(ray, [&](const Triangle& triangle) {
@@ -144,7 +144,32 @@ RayHit TriangleScene::nearest(const Ray& ray) const {
           static_cast<std::size_t>(hit - triangles_.data())};
 }
 
-bool TriangleScene::blocked(const Ray& ray) const {
+// By chords of half the length of other engines', between places on the ray itself.
+RayHit TriangleScene::nearest_bent(const Ray& ray) const {
+  const double step = 0.5 * double{refraction_->chord()};
+  const double end = std::min(ray.max_distance, ray.min_distance + 2 * refraction_->reach());
+  const auto apparent = [&](double distance) { return Vec3(ray.origin + distance * ray.direction); };
+  Vec3 here = refraction_->true_place(apparent(ray.min_distance));
+  for (double from = ray.min_distance, to = from; from < end; from = to) {
+    to = std::min(from + step, end);
+    const Vec3 there = refraction_->true_place(apparent(to));
+    const double length = (there - here).norm();
+    constexpr double kOver = 1 + 1e-9;  // So that nothing lies between two chords.
+    RayHit hit = nearest_straight({here, (there - here) / length, 0, length * kOver});
+    if (hit.met()) {
+      hit.distance = from + hit.distance / length * (to - from);
+      const Vec3 at = apparent(hit.distance);
+      hit.normal = refraction_->apparent_direction(at, hit.normal);
+      hit.bent = refraction_->apparent_direction(at, hit.bent);
+      hit.gradient = refraction_->apparent_direction(at, Vec3(hit.gradient.cast<double>())).cast<float>();
+      return hit;
+    }
+    here = there;
+  }
+  return {.distance = kFar};
+}
+
+bool TriangleScene::blocked_straight(const Ray& ray) const {
   bool is_blocked = false;
   visit_near(ray, [&](const Triangle& triangle) {
     is_blocked = cross_triangle(ray, triangle.corner, triangle.edge1, triangle.edge2).distance < kFar;
@@ -154,6 +179,9 @@ bool TriangleScene::blocked(const Ray& ray) const {
 }
 
 FaceEdges TriangleScene::face_edges(const RayHit& mirror, const Vec3& point) const {
+  if (bends()) {
+    return {};  // Faces are not plane in apparent space.
+  }
   const MeshFaces& found = *faces_[mirror.instance];
   const std::size_t number = mirror.triangle - first_triangle_[mirror.instance];
   if (found.face_of.empty() || found.face_of[number] == MeshFaces::kNone) {

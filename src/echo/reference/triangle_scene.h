@@ -8,6 +8,7 @@
 #include "echo/laws/laws.h"
 #include "echo/mirror/faces.h"
 #include "echo/mirror/water_path.h"
+#include "echo/model/refraction.h"
 #include "echo/model/reliefs.h"
 #include "insonify/ground_truth.h"
 #include "insonify/scene.h"
@@ -37,8 +38,15 @@ class TriangleScene {
   void set(const Scene& scene, const Vec3& origin);
   void move(int instance, const Pose& world_from_mesh);
 
-  [[nodiscard]] RayHit nearest(const Ray& ray) const;
-  [[nodiscard]] bool blocked(const Ray& ray) const;
+  /// The water that bends the rays that follow, which are then in apparent space, as their hits are. Null: straight
+  /// ones.
+  void bend_by(const Refraction* refraction) { refraction_ = refraction; }
+  [[nodiscard]] bool bends() const { return refraction_ != nullptr; }
+
+  [[nodiscard]] RayHit nearest(const Ray& ray) const { return refraction_ ? nearest_bent(ray) : nearest_straight(ray); }
+  [[nodiscard]] bool blocked(const Ray& ray) const {
+    return refraction_ ? nearest_bent(ray).met() : blocked_straight(ray);
+  }
   /// Index of the triangle that was hit in the mesh of its instance.
   [[nodiscard]] std::uint32_t in_mesh(const RayHit& hit) const {
     return static_cast<std::uint32_t>(hit.triangle - first_triangle_[hit.instance]);
@@ -68,6 +76,9 @@ class TriangleScene {
     double square = 0;  // Square of its radius [m^2].
   };
   void place(int instance, const Pose& world_from_mesh);
+  [[nodiscard]] RayHit nearest_straight(const Ray& ray) const;
+  [[nodiscard]] RayHit nearest_bent(const Ray& ray) const;
+  [[nodiscard]] bool blocked_straight(const Ray& ray) const;
   template <typename Visit>
   void visit_near(const Ray& ray, const Visit& visit) const;
 
@@ -81,6 +92,7 @@ class TriangleScene {
   std::vector<std::shared_ptr<const MeshFaces>> faces_;  // [instance]
   std::vector<Pose> poses_;                              // [instance]
   Reliefs reliefs_;
+  const Refraction* refraction_ = nullptr;
 };
 
 }  // namespace insonify

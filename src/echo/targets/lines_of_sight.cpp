@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "echo/model/hit.h"
+#include "echo/model/refraction.h"
 
 namespace insonify {
 
@@ -25,9 +26,11 @@ std::optional<int> beam_hearing(const FlatPlan& plan, const Vec3f& direction, bo
 
 LinesOfSight::LinesOfSight(std::vector<Vec3> places) : places_(std::move(places)), sights_(places_.size()) {}
 
-void LinesOfSight::ask(const PingView& view, RayList& rays) const {
+void LinesOfSight::ask(const PingView& view, RayList& rays) {
+  apparent_.clear();
   for (const Vec3& place : places_) {
-    const Vec3 there = place - view.world_from_sonar.position;
+    apparent_.push_back(apparent_place(view.refraction, place));
+    const Vec3 there = apparent_.back().value_or(view.world_from_sonar.position) - view.world_from_sonar.position;
     const double range = there.norm();
     rays.sights.push_back({view.world_from_sonar.position, range > 0 ? Vec3(there / range) : Vec3(Vec3::UnitX()), 0,
                            range - double{kRayClearance}});
@@ -40,11 +43,11 @@ std::span<const std::optional<LinesOfSight::Sight>> LinesOfSight::see(const Ping
                                                                       const BeamOf& beam_of) {
   const Pose sonar_from_world = view.world_from_sonar.inverse();
   for (std::size_t i = 0; i < places_.size(); ++i) {
-    const Vec3 local = sonar_from_world * places_[i];
+    const Vec3 local = sonar_from_world * apparent_[i].value_or(view.world_from_sonar.position);
     const double range = local.norm();
     const Vec3f direction = (local / range).cast<float>();
     sights_[i].reset();
-    if (!(range >= kNearest) || !hits.is_clear(i)) {
+    if (!apparent_[i] || !(range >= kNearest) || !hits.is_clear(i)) {
       continue;
     }
     if (const std::optional<int> beam = beam_of(direction)) {

@@ -1,4 +1,4 @@
-// lines_of_sight.h -- which places the sonar receives sound from on a straight, unobstructed path.
+// lines_of_sight.h -- which places the sonar receives sound from on a direct, unobstructed path.
 
 #pragma once
 
@@ -17,7 +17,7 @@ namespace insonify {
 /// @param has_array  Whether beams have side lobes across bearings.
 [[nodiscard]] std::optional<int> beam_hearing(const FlatPlan& plan, const Vec3f& direction, bool has_array);
 
-/// Straight paths between the sonar and given places.
+/// Direct paths between the sonar and given places.
 class LinesOfSight {
  public:
   static constexpr double kNearest =
@@ -35,9 +35,10 @@ class LinesOfSight {
   };
 
   /// Adds a line of sight from the sonar to each place, the only ones of the list.
-  void ask(const PingView& view, RayList& rays) const;
+  void ask(const PingView& view, RayList& rays);
 
-  /// One value per place; none if an opaque surface is in the way or the place is outside what the sonar receives.
+  /// One value per place; none if an opaque surface is in the way, the place is in a shadow zone of the water or
+  /// outside what the sonar receives.
   std::span<const std::optional<Sight>> look(const PingView& view, const RayAnswers& hits);
 
   /// The same for other sources of sound, which are also received beside the fan: see beam_hearing().
@@ -48,6 +49,7 @@ class LinesOfSight {
   std::span<const std::optional<Sight>> see(const PingView& view, const RayAnswers& hits, const BeamOf& beam_of);
 
   std::vector<Vec3> places_;
+  std::vector<std::optional<Vec3>> apparent_;  // [place] See Refraction.
   std::vector<std::optional<Sight>> sights_;
 };
 

@@ -6,6 +6,14 @@
 
 namespace insonify {
 
+SceneTargets no_targets() {
+  return {.thin_parts = std::make_shared<const ThinParts>(),
+          .faces = std::make_shared<const GlintingFaces>(),
+          .edges = std::make_shared<const StraightEdges>(),
+          .mirrors = std::make_shared<const std::vector<PlaneMirror>>(),
+          .corners = std::make_shared<const std::vector<Corner>>()};
+}
+
 SceneTargets find_targets(const Scene& scene, const std::optional<WaterMirror>& water, const WantedTargets& wanted,
                           Engine& engine, Workers& workers) {
   // Which triangles are thin turns on the last digits of distances: all engines have the targets that `cpu` finds.

@@ -31,6 +31,9 @@ struct WantedTargets {
   bool corners = true;
 };
 
+/// No targets: all echoes are those of the samples.
+[[nodiscard]] SceneTargets no_targets();
+
 /// Finds the targets of a scene, and has the engine leave out their echoes from those of the samples.
 /// @param engine  Has the scene.
 /// @param water   The water's surface; absent where there is none.

@@ -1,4 +1,5 @@
-// file_choices.h -- keys of scenario files that stand for others: the preset of a sonar, the file of a trajectory.
+// file_choices.h -- keys of scenario files that stand for others: the preset of a sonar, the file of a trajectory
+// or of a sound-speed profile.
 
 #pragma once
 
@@ -43,6 +44,16 @@ struct ColumnChoice {
     visit(Field{"unit", "", {}, "Its unit, if the header does not say it: s, ms, us, ns, m, cm, mm, km, ft, rad, deg."},
           self.unit);
     visit(Field{"sign", "", from_to(-1, 1), "1, or -1 for a depth in place of z."}, self.sign);
+  }
+};
+
+/// A sound-speed profile in a file of its own: a Water has its points.
+struct CastChoice {
+  std::filesystem::path file = {};
+
+  template <typename Self, typename Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit(Field{"file", "", {}, "Cast (.csv, .svp, .asvp), from the scenario's folder."}, self.file);
   }
 };
 

@@ -218,7 +218,6 @@ class CastReader {
     }
   }
 
-
   std::filesystem::path path_;
   const Log& log_;
   std::string text_;

@@ -4,6 +4,7 @@
 
 #include "base/utf8.h"
 #include "insonify/files.h"
+#include "insonify/sound_speed_files.h"
 #include "io/file/input_file.h"
 #include "io/scenario/file_choices.h"
 #include "io/scenario/yaml_read.h"
@@ -32,6 +33,12 @@ TrajectoryColumns read_columns(const YamlValue& value, const std::string& name, 
   return columns;
 }
 
+// A path that begins in the scenario's folder.
+std::filesystem::path beside_scenario(const std::filesystem::path& path, Places& places) {
+  const std::filesystem::path scenario = places[""].file;
+  return (is_stream(scenario) ? std::filesystem::path() : scenario.parent_path()) / path;
+}
+
 // The scalar or map that names a file of waypoints, instead of their list.
 bool read_track(const YamlValue& value, const std::string& name, const PartEntry& part, void* config, Places& places,
                 const Log& log) {
@@ -54,14 +61,34 @@ bool read_track(const YamlValue& value, const std::string& name, const PartEntry
       throw Error(name, "file", " is missing: a CSV or TUM file of waypoints").at(value.place);
     }
   }
-  const std::filesystem::path scenario = places[""].file;
-  const std::filesystem::path folder = is_stream(scenario) ? std::filesystem::path() : scenario.parent_path();
   Trajectory track;
-  with_place(value.place, [&] { track = load_trajectory(folder / choice.file, columns, log); });
+  with_place(value.place, [&] { track = load_trajectory(beside_scenario(choice.file, places), columns, log); });
   part.clear(config);
   for (Waypoint& waypoint : track.waypoints) {
     waypoint.time -= choice.start;
     *static_cast<Waypoint*>(part.add(config).config) = waypoint;
+  }
+  return true;
+}
+
+// The scalar or map that names a file of a sound-speed profile, instead of the list of its points.
+bool read_cast(const YamlValue& value, const std::string& name, const PartEntry& part, void* config, Places& places,
+               const Log& log) {
+  const YamlValue* file = value.find("file");
+  if (part.table != &table_of<ProfilePoint>() || (value.kind != Kind::kScalar && file == nullptr)) {
+    return false;
+  }
+  CastChoice choice;
+  if (file == nullptr) {
+    read_member(value, "", Field{name, "", {}, ""}, choice.file);
+  } else {
+    read_section(value, name, choice, places);
+  }
+  std::vector<ProfilePoint> points;
+  with_place(value.place, [&] { points = load_sound_speed_profile(beside_scenario(choice.file, places), log); });
+  part.clear(config);
+  for (const ProfilePoint& point : points) {
+    *static_cast<ProfilePoint*>(part.add(config).config) = point;
   }
   return true;
 }
@@ -101,7 +128,7 @@ void read_part(const YamlValue& value, const std::string& name, const PartEntry&
                const Log& log) {
   if (part.shape == PartShape::kMap) {
     read_map(value, name, part, config, places, log);
-  } else if (read_track(value, name, part, config, places, log)) {
+  } else if (read_track(value, name, part, config, places, log) || read_cast(value, name, part, config, places, log)) {
     return;
   } else if (value.kind == Kind::kNothing && part.shape != PartShape::kStruct) {
     part.clear(config);
