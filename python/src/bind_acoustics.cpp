@@ -94,6 +94,7 @@ std::vector<ProfilePoint> points_from(const py::iterable& given) {
 }
 
 void add_profiles(py::module_& m) {
+  m.attr("STEEPEST_PROFILE") = kSteepestProfile;
   py::class_<RayPoint>(m, "RayPoint", "A point of a ray; distance and time are those from the source.")
       .def_readonly("distance", &RayPoint::distance, "Horizontal distance [m].")
       .def_readonly("depth", &RayPoint::depth, "[m]; negative above the surface.")

@@ -15,6 +15,7 @@ NEPER_PER_DECIBEL: float
 GREATEST_LAMBERT_PARAMETER: float
 REPORT_SOUND_SPEED: float
 FAR_FIELD: float
+STEEPEST_PROFILE: float
 
 class BentPath:
     @property

@@ -17,10 +17,6 @@
 namespace insonify {
 namespace {
 
-// Steepest change of sound speed with depth in a profile, by an order of magnitude beyond measured ones [1/s]. Rays
-// that are bent more take legs of millimetres.
-constexpr double kSteepest = 100;
-
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
 // Duration of the way between two points of a layer. In a half-plane whose speed is linear, travel time is hyperbolic
@@ -81,10 +77,10 @@ void check_profile(std::span<const ProfilePoint> points, std::string_view object
     }
     const double gradient =
         i > 0 ? (points[i].speed() - points[i - 1].speed()) / (points[i].depth - points[i - 1].depth) : 0;
-    if (std::abs(gradient) > kSteepest) {
+    if (std::abs(gradient) > kSteepestProfile) {
       throw Error(name, "",
                   fmt::format(" changes by {:.4g} m/s in each metre from {}[{}]; must be at most {} m/s", gradient,
-                              object, i - 1, kSteepest));
+                              object, i - 1, kSteepestProfile));
     }
   }
 }

@@ -123,6 +123,11 @@ def whole_inputs(insonify, scratch):
                        ("t.kitti", b"1 0 0 1 0 1 0 2 0 0 1 3\n1 0 0 2 0 1 0 2 0 0 1 3\n")]:
         scenario = f"world: mesh.obj\ntrajectory: {name}\nsonars: {SONAR}\n".encode()
         inputs.append(("track", name, text, {"s.yaml": scenario, "mesh.obj": MESH}, [RUN]))
+    for name, text in [("c.csv", b"depth,temperature,salinity\n0,18.5,35\n20,9.25,34.5\n9000,3,34.5\n"),
+                       ("c.svp", b"[SVP_VERSION_2]\nc.svp\nSection 2015-148 23:49:31 -12:14:35 130:55:40\n0.2 1539.5\n7 1521\n9000 1540\n"),
+                       ("c.asvp", b"( SoundVelocity  1.0 0 201505282349 -12.2 130.9 -1 0 0 SSM P 0002 )\n0.00 1539.51\n9000.00 1560\n")]:
+        scenario = f"world: mesh.obj\nwater: {{profile: {name}}}\nsonars: {SONAR}\n".encode()
+        inputs.append(("cast", name, text, {"s.yaml": scenario, "mesh.obj": MESH}, [RUN]))
     made = recordings(insonify, scratch)
     commands = ["info --verify {}", "draw {} -o pictures -f", "compare {} good.h5", "export {} -o x.npz -f", "replay {} -o again -f"]
     for name, bytes_ in made.items():

@@ -77,6 +77,8 @@ TEST_F(LoadSoundSpeedProfileTest, SaysWhereAndWhatIsWrong) {
   EXPECT_EQ(fault("depth,speed\n-3,1500\n"), "cast.csv:2:1: depth = -3 m must be from 0 to 12000 m");
   EXPECT_EQ(fault("depth,temperature,salinity\n0,45,35\n"),
             "cast.csv:2:1: temperature_c = 45 degC must be from -3 to 40 degC");
+  EXPECT_EQ(fault("depth,speed\n0,1500\n0.1,1511\n"),
+            "cast.csv:3:1: sound speed changes by 110 m/s in each metre from the row before; must be at most 100 m/s");
   EXPECT_EQ(fault("depth,speed\n"), "cast.csv: holds no points of a sound-speed profile");
   EXPECT_EQ(fault(""), "cast.csv: the file is empty");
   EXPECT_EQ(fault("0,1500\n"),

@@ -19,6 +19,7 @@ from kit import COMMAND_LINE, TEXT
 class ConfigTest(unittest.TestCase):
     def test_every_key_of_files_is_an_attribute(self):
         sections = {"scenario": insonify.Scenario, "sonars": insonify.SonarConfig, "water": insonify.Water,
+                    "profile": insonify.ProfilePoint,
                     "receiver": insonify.ReceiverConfig, "sampling": insonify.Sampling, "paper": insonify.PaperModel,
                     "materials": insonify.MaterialOverride, "points": insonify.PointTarget,
                     "interferers": insonify.Interferer, "thrusters": insonify.Thruster,

@@ -5,6 +5,7 @@
 
 #include <numeric>
 
+#include "engines/remote_engine.h"
 #include "insonify/acoustics/sound_speed_profile.h"
 #include "insonify/error.h"
 #include "support/message_of.h"
@@ -327,6 +328,13 @@ TEST(LayeredWaterMessagesTest, NamesTheSettingsThatDoNotGoWithAProfile) {
   Scenario unsorted = falling();
   std::swap(unsorted.water.profile[0], unsorted.water.profile[1]);
   EXPECT_EQ(fault(unsorted), "water.profile[1].depth = 0 m must be greater than water.profile[0].depth = 100 m");
+}
+
+TEST(LayeredWaterMessagesTest, AnEngineOfStraightRaysIsRefused) {
+  Scenario straight = falling();
+  straight.engine = testing_scenes::RemoteEngine::kKind.name;
+  EXPECT_EQ(fault(straight),
+            "engine = remote traces straight rays, and water.profile bends them; cpu, reference and auto do too");
 }
 
 TEST(LayeredWaterMessagesTest, AutoTakesAnEngineThatBendsRays) {

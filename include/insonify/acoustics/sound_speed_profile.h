@@ -36,7 +36,10 @@ struct ProfilePoint {
   }
 };
 
-/// Checks each point, that depths rise, and that speed changes by at most 100 m/s in a metre.
+/// Steepest change of sound speed with depth in a profile, beyond measured ones by an order of magnitude [1/s].
+inline constexpr double kSteepestProfile = 100;
+
+/// Checks each point, that depths rise, and kSteepestProfile.
 /// @param object  Name of the list in messages: "water.profile".
 /// @throws Error "water.profile[3].depth = 5 m must be greater than water.profile[2].depth = 5 m"
 void check_profile(std::span<const ProfilePoint> points, std::string_view object);

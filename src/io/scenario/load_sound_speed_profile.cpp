@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <optional>
 
 #include "base/log_line.h"
@@ -200,7 +201,21 @@ class CastReader {
                               points_.back().depth))
           .at(place(depth_column));
     }
+    check_gradient(point);
     points_.push_back(point);
+  }
+
+  void check_gradient(const ProfilePoint& point) const {
+    if (points_.empty()) {
+      return;
+    }
+    const double gradient = (point.speed() - points_.back().speed()) / (point.depth - points_.back().depth);
+    if (std::abs(gradient) > kSteepestProfile) {
+      throw Error(
+          fmt::format("sound speed changes by {:.4g} m/s in each metre from the row before; must be at most {} m/s",
+                      gradient, kSteepestProfile))
+          .at(place());
+    }
   }
 
   void set(CastNumber number, const TrackWord& word, ProfilePoint& point) const {

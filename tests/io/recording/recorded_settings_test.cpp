@@ -29,6 +29,8 @@ Scenario everything() {
   scenario.water.sound_speed = 1480;
   scenario.water.absorption_db_per_m = 0.1;
   scenario.water.volume_backscatter_db = -70;
+  scenario.water.profile = {{.depth = 0, .sound_speed = 1500, .temperature_c = 9, .salinity = 34},
+                            {.depth = 7, .sound_speed = 1490}};
   scenario.receiver.ambient_noise_db = 30;
   scenario.receiver.time_varied_gain = 40;
   scenario.receiver.gain_ranges = {1, 2};
@@ -86,11 +88,9 @@ std::filesystem::path recorded(const Scenario& scenario) {
 
 TEST(RecordedSettingsTest, HaveEveryKeyThatDescribeLists) {
   const H5Reader file(recorded(everything()));
-  std::map<std::string, std::string> groups{{"scenario", ""},
-                                            {"materials", "material_rules/"},
-                                            {"sonars", "sonar/"},
-                                            {"sampling", "sonar/sampling/"},
-                                            {"motions", "motions/0/"}};
+  std::map<std::string, std::string> groups{{"scenario", ""},          {"materials", "material_rules/"},
+                                            {"sonars", "sonar/"},      {"sampling", "sonar/sampling/"},
+                                            {"motions", "motions/0/"}, {"profile", "water/profile/"}};
   const std::vector<SectionDescription> sections = describe_scenario();
   for (const SectionDescription& section : sections) {
     groups.emplace(section.name, section.name + "/");
@@ -123,6 +123,7 @@ TEST(RecordedSettingsTest, HaveARowForEachEntryOfAList) {
   EXPECT_THAT(file.values<double>("settings/points/target_strength_db"), ElementsAre(-20, 0));
   EXPECT_EQ(file.attribute<std::string>("settings/points/target_strength_db", "units"), "dB");
   EXPECT_THAT(file.values<double>("settings/trajectory/time"), ElementsAre(1, 2));
+  EXPECT_THAT(file.values<double>("settings/water/profile/depth"), ElementsAre(0, 7));
   EXPECT_THAT(file.texts("settings/motions/0/object"), ElementsAre("ship"));
   EXPECT_THAT(file.values<double>("settings/motions/0/trajectory/time"), ElementsAre(3));
 }
