@@ -78,11 +78,10 @@ void Simulator::State::start_engine(const Log& log, std::uint64_t pings) {
   }
   if (layers) {
     if (!engine->kind().bends_rays) {
-      throw Error(
-          "", "engine",
-          fmt::format(" = {} traces straight rays, and water.profile bends them; cpu, reference and auto do too",
-                      engine->kind().name),
-          {"water.profile"})
+      throw Error("", "engine",
+                  fmt::format(" = {} traces straight rays, and water.profile bends them; use cpu, reference or auto",
+                              engine->kind().name),
+                  {"water.profile"})
           .located(scenario.places);
     }
     engine->expect_refraction();

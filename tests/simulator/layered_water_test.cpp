@@ -334,7 +334,7 @@ TEST(LayeredWaterMessagesTest, AnEngineOfStraightRaysIsRefused) {
   Scenario straight = falling();
   straight.engine = testing_scenes::RemoteEngine::kKind.name;
   EXPECT_EQ(fault(straight),
-            "engine = remote traces straight rays, and water.profile bends them; cpu, reference and auto do too");
+            "engine = remote traces straight rays, and water.profile bends them; use cpu, reference or auto");
 }
 
 TEST(LayeredWaterMessagesTest, AutoTakesAnEngineThatBendsRays) {
