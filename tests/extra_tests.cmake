@@ -41,6 +41,9 @@ if(TARGET insonify_python AND NOT INSONIFY_SANITIZE)
       COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/python/examples_test.py ${example} ${PROJECT_SOURCE_DIR})
     list(APPEND python_tests python_examples.${example})
   endforeach()
+  # A line of a real side-scan sonar beside a simulated one.
+  add_test(NAME wreck_line COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/validation/wreck_line.py)
+  list(APPEND python_tests wreck_line)
   set_tests_properties(${python_tests} PROPERTIES ENVIRONMENT "PYTHONPATH=${PROJECT_BINARY_DIR}/python;PYTHONDONTWRITEBYTECODE=1"
     SKIP_RETURN_CODE 77)
 endif()

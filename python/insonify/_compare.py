@@ -24,7 +24,7 @@ def compare(a: Side, b: Side, pings: Sequence[int] | None = None, scale: str | N
 
     a, b: a recording (RecordedPings, or the path of one: insonify.open has the formats), a Ping, an array [rows, columns]
         of levels from 0 to 1, or the path of a grey picture (PNG, JPEG, PGM). A single picture is compared with every
-        ping of a recording. Pings of a single beam are compared side by side, as one picture. Counts of 8 or 16 bits are
+        ping of a recording. Pings of one or two beams are compared side by side, as one picture. Counts of 8 or 16 bits are
         divided by the greatest.
     pings: numbers of the pings to compare; None: all that are in both recordings.
     scale: "db" or "linear"; None: db if both are of the calibrated model.
@@ -93,8 +93,8 @@ def _pictures(side: Any, wanted: list[int], levels: Any) -> list[npt.NDArray[np.
         return [levels(side.intensity)]
     if not isinstance(side, RecordedPings):
         return [side]
-    if side.shape[2] == 1:
-        return [levels(np.concatenate([_fractions(side, number) for number in wanted], axis=1))]
+    if side.shape[2] <= 2:  # All of port, then all of starboard.
+        return [levels(np.stack([_fractions(side, number) for number in wanted], axis=2).reshape(side.shape[1], -1))]
     return [levels(_fractions(side, number)) for number in wanted]
 
 

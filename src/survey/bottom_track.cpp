@@ -73,6 +73,7 @@ struct BottomTracker::State {
   // A ping whose range is not decided yet.
   struct Waiting {
     std::vector<std::vector<float>> levels, scores;  // [beam][cell]
+    std::vector<int> leads;                          // [beam] First cell of the water column.
     std::vector<std::uint16_t> from;                 // [cell] The cell of the ping before on the best way here.
     double cosine = 1;                               // plane_cosine() of its pose.
   };
@@ -103,7 +104,7 @@ struct BottomTracker::State {
   void append(const Waiting& ping, int cell) {
     double quality = 0;
     for (std::size_t beam = 0; beam < ping.levels.size(); ++beam) {
-      track.side_range.push_back(cells.edge(foot_of_edge(ping.levels[beam], cells, lead, cell)));
+      track.side_range.push_back(cells.edge(foot_of_edge(ping.levels[beam], cells, ping.leads[beam], cell)));
       quality += double{ping.scores[beam][cell]};
     }
     track.quality.push_back(quality / static_cast<double>(ping.levels.size()));
@@ -144,11 +145,13 @@ BottomTracker& BottomTracker::operator=(BottomTracker&&) noexcept = default;
 void BottomTracker::add(const Ping& ping) {
   State& state = *state_;
   check_line_ping(ping, state.sonar);
-  State::Waiting now{.levels = {}, .scores = {}, .from = {}, .cosine = plane_cosine(ping.world_from_sonar)};
+  State::Waiting now{
+      .levels = {}, .scores = {}, .leads = {}, .from = {}, .cosine = plane_cosine(ping.world_from_sonar)};
   now.from = spread_gains(state.gain, 1 / (kCostlyChange * state.cells.count));
   for (int beam = 0; beam < ping.beam_count; ++beam) {
     now.levels.push_back(levels_of(ping, beam, state.cells));
-    now.scores.push_back(edge_scores(now.levels.back(), state.cells, state.lead));
+    now.leads.push_back(std::max(state.lead, end_of_blanking(ping, beam, state.cells, now.levels.back())));
+    now.scores.push_back(edge_scores(now.levels.back(), state.cells, now.leads.back()));
     std::fill(now.scores.back().begin() + state.last + 1, now.scores.back().end(), 0.0F);
     for (std::size_t cell = 0; cell < state.gain.size(); ++cell) {
       state.gain[cell] += double{now.scores.back()[cell]} / ping.beam_count;

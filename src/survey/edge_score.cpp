@@ -119,6 +119,20 @@ std::vector<float> levels_of(const Ping& ping, int beam, const RangeCells& cells
   return levels;
 }
 
+int end_of_blanking(const Ping& ping, int beam, const RangeCells& cells, const std::vector<float>& levels) {
+  constexpr double kDarkDb = 10;
+  const std::vector<float> means = cell_means(ping, beam, cells);
+  const auto heard = std::ranges::find_if(means, [](float mean) { return mean > 0; });
+  const int first = static_cast<int>(heard - means.begin()) + kMedianReach;  // Medians before it are half silent.
+  if (heard == means.begin() || first + cells.window >= cells.count) {
+    return 0;
+  }
+  std::vector<float> rest(levels.begin() + first, levels.end());
+  std::ranges::nth_element(rest, rest.begin() + static_cast<std::ptrdiff_t>(rest.size() / 2));
+  const double next = RunningSums(levels).within(first, first + cells.window).mean;
+  return next < double{rest[rest.size() / 2]} - kDarkDb ? first : 0;
+}
+
 std::vector<float> edge_scores(const std::vector<float>& levels, const RangeCells& cells, int lead) {
   std::vector<float> scores(levels.size(), 0.0F);
   const RunningSums sums(levels);

@@ -26,6 +26,11 @@ struct RangeCells {
 /// echo, at most 60 dB below the median one; a ping without any has equal levels.
 [[nodiscard]] std::vector<float> levels_of(const Ping& ping, int beam, const RangeCells& cells);
 
+/// First cell behind a receiver that is silent at first, as instruments blank it: behind leading zeros, where what
+/// follows is at least 10 dB darker than the median cell that is not silent, and so no bottom. 0 otherwise.
+[[nodiscard]] int end_of_blanking(const Ping& ping, int beam, const RangeCells& cells,
+                                  const std::vector<float>& levels);
+
 /// Score of an edge before each cell, 0 to 1: (1 - exp(-d)) e^3. d is the step of the mean level from the window before
 /// to the one behind, over the sum of their standard deviations and 1 dB. e is the share of all cells before, from
 /// `lead` on, that are darker than the middle of the step: the first edge counts, not one behind a shadow, and a fish

@@ -114,6 +114,15 @@ TEST_F(ForeignFilesTest, PingsOfOneBeamAreOnePicture) {
   EXPECT_EQ(compared("a.bin a.png").at("mse"), 0);
   EXPECT_EQ(compared("a.xtf a.png --sonar starboard").at("mse"), 0);
   EXPECT_EQ(compared("a.png a.xtf --sonar port").at("mse"), 0);
+  std::vector<std::uint8_t> both;  // All of port, then all of starboard.
+  for (auto row = bytes.begin(); row != bytes.end(); row += kSide) {
+    both.insert(both.end(), row, row + kSide);
+    both.insert(both.end(), row, row + kSide);
+  }
+  write_levels("both.png", 2 * kSide, kSide, both);
+  EXPECT_EQ(compared("a.xtf both.png").at("mse"), 0);
+  EXPECT_THAT(shell("insonify compare a.xtf both.png").out,
+              HasSubstr(fmt::format("{} pings of two beams, side by side: {} columns", kSide, 2 * kSide)));
 
   const Outcome scan = shell("insonify draw a.bin -o scan --pictures 1");
   EXPECT_EQ(scan.out, "scan/ping360_scan.png\nscan/ping360_polar.png\n");

@@ -63,6 +63,7 @@ class SurveyTest(unittest.TestCase):
             line = insonify.open(folder + "/line.xtf")
             np.testing.assert_allclose(line.altitude, 5, atol=0.1)
             np.testing.assert_allclose(line.origin, (48.5, -68.8), atol=1e-9)
+            self.assertEqual(insonify.compare(line, folder + "/line.xtf").ssim, 1)
             np.testing.assert_allclose(line.world_from_sonar[:, 0], 0.5 * np.arange(9), atol=1e-4)
 
     def test_bad_input_is_refused(self):

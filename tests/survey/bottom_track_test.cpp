@@ -68,6 +68,22 @@ TEST(BottomTrackTest, FlanksOfThePulseAreNotTheBottom) {
   }
 }
 
+// A receiver that is silent for 0.5 m, then a water column that rises by 30 log r to 40 dB below the bed: the end of
+// the silence is the sharper edge.
+TEST(BottomTrackTest, TheEndOfBlankingIsNotTheBottom) {
+  const SonarConfig sonar = side_scan_sonar();
+  std::vector<Ping> pings = line_of(sonar, 120, 40);
+  for (Ping& ping : pings) {
+    for (int bin = 0; bin < sonar.bin_count; ++bin) {
+      for (int beam = 0; beam < 2; ++beam) {
+        ping.intensity[ping.index(bin, beam)] *=
+            bin < 10 ? 0.0F : static_cast<float>(std::pow(sonar.bin_range(bin), 3));
+      }
+    }
+  }
+  expect_altitudes(track_bottom(pings, sonar));
+}
+
 TEST(BottomTrackTest, OneSideIsEnough) {
   SonarConfig sonar = side_scan_sonar();
   sonar.beam_count = 1;

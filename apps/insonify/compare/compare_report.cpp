@@ -83,7 +83,8 @@ std::string heading(const Comparison& comparison) {
     text += fmt::format(" that both have ({})", comparison.unmatched);
   }
   if (comparison.is_scan) {
-    return text + " of one beam, side by side: " + shape;
+    const bool one = comparison.columns == static_cast<int>(count);
+    return text + fmt::format(" of {}, side by side: ", one ? "one beam" : "two beams") + shape;
   }
   return text + " of " + fmt::format("{} x {}", counted(comparison.columns, "beam"), counted(comparison.rows, "bin")) +
          (count > 1 ? "; each number is the mean over them" : "");

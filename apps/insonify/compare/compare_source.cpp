@@ -129,12 +129,14 @@ GreyPicture CompareSource::scan(const std::vector<std::uint64_t>& pings) const {
   if (!recording_ || !is_scan()) {
     return picture(pings.front());
   }
-  GreyPicture picture{name(), static_cast<int>(pings.size()), recording_->bin_count(), {}};
-  picture.values.resize(pings.size() * static_cast<std::size_t>(picture.rows));
-  for (std::size_t column = 0; column < pings.size(); ++column) {
-    const std::vector<double> profile = levels(pings[column]);
-    for (std::size_t row = 0; row < profile.size(); ++row) {
-      picture.values[row * pings.size() + column] = profile[row];
+  const auto beams = static_cast<std::size_t>(recording_->beam_count());
+  const std::size_t columns = beams * pings.size();
+  GreyPicture picture{name(), static_cast<int>(columns), recording_->bin_count(), {}};
+  picture.values.resize(columns * static_cast<std::size_t>(picture.rows));
+  for (std::size_t ping = 0; ping < pings.size(); ++ping) {
+    const std::vector<double> values = levels(pings[ping]);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      picture.values[i / beams * columns + i % beams * pings.size() + ping] = values[i];
     }
   }
   return picture;

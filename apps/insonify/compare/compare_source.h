@@ -46,7 +46,8 @@ class CompareSource {
   }
   /// RecordedPings::notes(), each after the name.
   [[nodiscard]] std::vector<std::string> notes() const;
-  [[nodiscard]] bool is_scan() const { return recording_ && recording_->beam_count() == 1; }
+  /// Whether its pings are compared together: those of a single beam, and of both sides of a side-scan sonar.
+  [[nodiscard]] bool is_scan() const { return recording_ && recording_->beam_count() <= 2; }
   [[nodiscard]] std::uint64_t ping_count() const { return recording_->ping_count(); }  ///< Only for a recording.
 
   /// Largest intensity in some pings of a recording.
@@ -55,7 +56,7 @@ class CompareSource {
   /// Picture of one ping: rows are bins, columns are beams.
   [[nodiscard]] GreyPicture picture(std::uint64_t ping) const;
 
-  /// Picture of pings of a single beam, side by side.
+  /// Picture of pings of a single beam, or of two, side by side: all of port, then all of starboard.
   [[nodiscard]] GreyPicture scan(const std::vector<std::uint64_t>& pings) const;
 
  private:

@@ -23,7 +23,7 @@ struct Comparison {
   int ms_ssim_scales = 0;            ///< 0: MS-SSIM was skipped.
   std::string differing;             ///< How the sonars of two recordings differ in range and aperture; else "".
   Display levels;                    ///< Maps intensities of recordings to levels from 0 to 1.
-  bool is_scan = false;              ///< Pings of a single beam are compared side by side as one picture.
+  bool is_scan = false;              ///< Pings of one or two beams are compared side by side as one picture.
   std::vector<Similarity> each;      ///< One per picture.
   Similarity similarity;
   NormalisedSimilarity normalised;
