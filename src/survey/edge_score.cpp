@@ -16,6 +16,7 @@ constexpr int kLeastColumn = 4;    // Shortest water column [cells].
 constexpr double kDeepestDb = 60;  // Below the median level.
 constexpr int kLevelSteps = 64;    // Classes of the histogram.
 constexpr double kLeastSpreadDb = 1;
+constexpr double kGainPerDecadeDb = 30;
 
 // Mean intensities of the cells of one beam.
 std::vector<float> cell_means(const Ping& ping, int beam, const RangeCells& cells) {
@@ -139,9 +140,10 @@ std::vector<float> edge_scores(const std::vector<float>& levels, const RangeCell
   LevelCounts before(levels);
   for (int cell = lead; cell + kLeastColumn < cells.count; ++cell) {
     if (cell - lead >= kLeastColumn) {
-      const Moments dark = sums.within(std::max(lead, cell - cells.window), cell);
-      const Moments bright = sums.within(cell, std::min(cells.count, cell + cells.window));
-      const double step = (bright.mean - dark.mean) / (bright.deviation + dark.deviation + kLeastSpreadDb);
+      const int begin = std::max(lead, cell - cells.window), end = std::min(cells.count, cell + cells.window);
+      const Moments dark = sums.within(begin, cell), bright = sums.within(cell, end);
+      const double ramp = kGainPerDecadeDb * std::log10(cells.middle(cell, end) / cells.middle(begin, cell));
+      const double step = (bright.mean - dark.mean - ramp) / (bright.deviation + dark.deviation + kLeastSpreadDb);
       if (step > 0) {
         const double empty = before.share_below((bright.mean + dark.mean) / 2);
         scores[cell] = static_cast<float>((1 - std::exp(-step)) * empty * empty * empty);

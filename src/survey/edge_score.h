@@ -20,6 +20,8 @@ struct RangeCells {
   int window = 0;                ///< Cells before and behind an edge that are compared.
 
   [[nodiscard]] double edge(int cell) const { return first + cell * length; }  ///< Near edge of a cell [m].
+  /// Middle of the cells begin..end [m], > 0.
+  [[nodiscard]] double middle(int begin, int end) const { return first + 0.5 * (begin + end) * length; }
 };
 
 /// Levels of one beam [dB re anything], a running median over a few cells. Zeros and NaN have the level of the weakest
@@ -32,9 +34,9 @@ struct RangeCells {
                                   const std::vector<float>& levels);
 
 /// Score of an edge before each cell, 0 to 1: (1 - exp(-d)) e^3. d is the step of the mean level from the window before
-/// to the one behind, over the sum of their standard deviations and 1 dB. e is the share of all cells before, from
-/// `lead` on, that are darker than the middle of the step: the first edge counts, not one behind a shadow, and a fish
-/// before it does not.
+/// to the one behind, less the 30 dB a decade of range that time-varied gain may make of a water column, over the sum
+/// of their standard deviations and 1 dB. e is the share of all cells before, from `lead` on, that are darker than the
+/// middle of the step: the first edge counts, not one behind a shadow, and a fish before it does not.
 /// @param lead  First cell of the water column.
 [[nodiscard]] std::vector<float> edge_scores(const std::vector<float>& levels, const RangeCells& cells, int lead);
 

@@ -68,20 +68,21 @@ TEST(BottomTrackTest, FlanksOfThePulseAreNotTheBottom) {
   }
 }
 
-// A receiver that is silent for 0.5 m, then a water column that rises by 30 log r to 40 dB below the bed: the end of
-// the silence is the sharper edge.
-TEST(BottomTrackTest, TheEndOfBlankingIsNotTheBottom) {
+// A receiver that is silent for up to 0.5 m, then a water column that rises by 30 log r to 40 dB below the bed: the end
+// of the silence is the sharper edge, and the rise is steep at first.
+TEST(BottomTrackTest, BlankingAndTimeVariedGainAreNotTheBottom) {
   const SonarConfig sonar = side_scan_sonar();
-  std::vector<Ping> pings = line_of(sonar, 120, 40);
-  for (Ping& ping : pings) {
-    for (int bin = 0; bin < sonar.bin_count; ++bin) {
-      for (int beam = 0; beam < 2; ++beam) {
-        ping.intensity[ping.index(bin, beam)] *=
-            bin < 10 ? 0.0F : static_cast<float>(std::pow(sonar.bin_range(bin), 3));
+  for (const int silent : {0, 4, 10}) {
+    std::vector<Ping> pings = line_of(sonar, 120, 40);
+    for (Ping& ping : pings) {
+      for (int bin = 0; bin < sonar.bin_count; ++bin) {
+        const double gain = bin < silent ? 0 : std::pow(sonar.bin_range(bin), 3);
+        ping.intensity[ping.index(bin, 0)] *= static_cast<float>(gain);
+        ping.intensity[ping.index(bin, 1)] *= static_cast<float>(gain);
       }
     }
+    expect_altitudes(track_bottom(pings, sonar));
   }
-  expect_altitudes(track_bottom(pings, sonar));
 }
 
 TEST(BottomTrackTest, OneSideIsEnough) {
