@@ -83,7 +83,14 @@ class RecordedPings {
   /// The counts of one ping, as intensity(); only if the recording has counts.
   [[nodiscard]] std::vector<double> counts(std::uint64_t ping) const;
 
-  /// One ping for drawing: number, time, pose, head angle and intensities, without ground truth.
+  /// Whether it has soundings: recordings of multibeams have.
+  [[nodiscard]] bool has_soundings() const;
+
+  /// The bottom in each beam of a ping; empty without soundings.
+  /// @throws Error with the path if the file cannot be read.
+  [[nodiscard]] std::vector<Sounding> soundings(std::uint64_t ping) const;
+
+  /// One ping for drawing: number, time, pose, head angle, intensities and soundings, without ground truth.
   /// @param ping  Below ping_count().
   /// @throws Error with the path if the file cannot be read, or has no times or poses.
   [[nodiscard]] Ping ping(std::uint64_t ping) const;

@@ -5,11 +5,13 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "bind.h"
 #include "held.h"
 #include "insonify/printable.h"
+#include "insonify/survey/bottom_detection.h"
 #include "ping_tables.h"
 #include "python_recording.h"
 #include "python_types.h"
@@ -47,6 +49,41 @@ void add_table(PingClass& ping, const char* name, std::vector<Value> Ping::*memb
       help);
 }
 
+using Soundings = py::array_t<Sounding, py::array::c_style>;
+
+// [beams], sharing the ping's memory; None without soundings.
+py::object soundings_of(const py::object& self) {
+  const auto& ping = self.cast<const PythonPing&>();
+  return ping.soundings.empty()
+             ? py::object(py::none())
+             : Soundings(static_cast<py::ssize_t>(ping.soundings.size()), ping.soundings.data(), self);
+}
+
+py::array_t<double> sounding_positions(const PythonPing& ping, double range_scale) {
+  py::array_t<double> positions({static_cast<py::ssize_t>(ping.soundings.size()), py::ssize_t{3}});
+  double* to = positions.mutable_data();
+  for (const Sounding& sounding : ping.soundings) {
+    const Vec3 position = position_of(sounding, ping.world_from_sonar, range_scale);
+    to = std::copy(position.begin(), position.end(), to);
+  }
+  return positions;
+}
+
+void add_soundings(PingClass& ping) {
+  PYBIND11_NUMPY_DTYPE(Sounding, azimuth, range, uncertainty, quality, intensity, snippet_begin, snippet_end,
+                       detection);
+  ping.def_property_readonly(
+          "soundings", &soundings_of,
+          "The bottom in each beam of a multibeam, a structured array [beams]; None for other sonars. azimuth: of the "
+          "beam [rad], positive to port. range: slant range, as the sonar shows ranges [m]; NaN: no bottom found. "
+          "uncertainty: standard deviation of the range [m]. quality: log10(range / uncertainty). intensity: mean of "
+          "the bins from snippet_begin to before snippet_end. detection: 0 none, 1 by amplitude, 2 by phase.")
+      .def("sounding_positions", &sounding_positions, py::arg("range_scale") = 1.0,
+           "Positions of the soundings in the world along straight rays, float64 [beams, 3] in metres; NaN where no "
+           "bottom was found.\n\n"
+           "range_scale: true range / range shown, the true sound speed / sonar.assumed_sound_speed.");
+}
+
 // For pickle and copy: all of the ping's data, including a recorded one's tables that were not read yet.
 py::tuple pickled_ping(const py::object& self) {
   const auto& ping = self.cast<const PythonPing&>();
@@ -58,7 +95,8 @@ py::tuple pickled_ping(const py::object& self) {
   });
   return py::make_tuple(ping.number, ping.time, ping.world_from_sonar, ping.head_angle, ping.bin_count, ping.beam_count,
                         tables, wrap(ping.facts->sonar), std::string(word_of(ping.facts->model)),
-                        wrap(ping.facts->receiver), ping.facts->names->instances, ping.facts->names->materials);
+                        wrap(ping.facts->receiver), ping.facts->names->instances, ping.facts->names->materials,
+                        soundings_of(self));
 }
 
 std::shared_ptr<PythonPing> unpickled_ping(const py::tuple& state) {
@@ -77,6 +115,10 @@ std::shared_ptr<PythonPing> unpickled_ping(const py::tuple& state) {
       ((*ping).*member).assign(values.data(), values.data() + values.size());
     }
   });
+  if (!state[12].is_none()) {
+    const auto soundings = state[12].cast<Soundings>();
+    ping->soundings.assign(soundings.data(), soundings.data() + soundings.size());
+  }
   const LabelNames names{state[10].cast<std::vector<std::string>>(), state[11].cast<std::vector<std::string>>()};
   SonarFacts facts{.sonar = unwrap<SonarConfig>(state[7], "sonar"),
                    .receiver = unwrap<ReceiverConfig>(state[9], "receiver"),
@@ -126,6 +168,7 @@ void bind_ping(py::module_& module) {
     const std::string type = number_name<ValueOf<decltype(member)>>();
     describe(module, "Ping", name, {type, ""});
   });
+  add_soundings(ping);
   ping.def(
       "plot",
       [](const py::object& self, const py::args& args, const py::kwargs& options) {

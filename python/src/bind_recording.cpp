@@ -4,6 +4,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <span>
 
 #include "bind.h"
@@ -122,6 +123,20 @@ py::object whole_table(const PythonRecording& self, const std::string& name) {
   return read_block(self, name, slices);
 }
 
+// All soundings, [pings, beams]; None without any.
+py::object all_soundings(const PythonRecording& self) {
+  if (!self.pings.has_soundings()) {
+    return py::none();
+  }
+  py::array_t<Sounding> soundings(
+      {static_cast<py::ssize_t>(self.ping_count()), static_cast<py::ssize_t>(self.pings.beam_count())});
+  Sounding* to = soundings.mutable_data();
+  for (std::uint64_t ping = 0; ping < self.ping_count(); ++ping) {
+    to = std::ranges::copy(self.pings.soundings(ping), to).out;
+  }
+  return soundings;
+}
+
 using RecordedClass = py::class_<PythonRecording, std::shared_ptr<PythonRecording>>;
 
 // Tables of pings, of which only the indexed part is read, and the names of those in the file.
@@ -168,6 +183,9 @@ void add_axes(RecordedClass& recorded) {
       "Heights above the bed that a side-scan file stores, float64 [pings], in metres, 0 where unknown; else None.");
   add("sound_speed",
       "Sound speeds that a side-scan file stores, float64 [pings], in m/s, NaN where unknown; else None.");
+  recorded.def_property_readonly(
+      "soundings", &all_soundings,
+      "Soundings of all pings of a multibeam, a structured array [pings, beams] as Ping.soundings; else None.");
   add("range", "Centre of each bin, float64 [bins], in metres.");
   add("azimuth", "Centre of each beam, float64 [beams], in radians, positive to port, falling.");
   recorded

@@ -22,6 +22,9 @@ class Batch {
         put(name, pings, first, member);
       }
     });
+    if (!pings.front().soundings.empty()) {
+      put("soundings", pings, first, &Ping::soundings);
+    }
   }
   [[nodiscard]] const py::dict& arrays() const { return arrays_; }
 
@@ -30,7 +33,7 @@ class Batch {
   void put(const char* name, std::span<const Ping> pings, std::size_t first, std::vector<Value> Ping::*member) {
     const std::size_t size = (pings.front().*member).size();
     if (!arrays_.contains(name)) {
-      arrays_[name] = py::array_t<Value>(shape_of(pings.front(), size));
+      arrays_[name] = py::array_t<Value>(shape_of<Value>(pings.front(), size));
     }
     Value* to = py::array_t<Value>(arrays_[name]).mutable_data() + first * size;
     for (const Ping& ping : pings) {
@@ -38,7 +41,11 @@ class Batch {
     }
   }
 
+  template <typename Value>
   [[nodiscard]] std::vector<py::ssize_t> shape_of(const Ping& ping, std::size_t size) const {
+    if constexpr (std::is_same_v<Value, Sounding>) {
+      return {static_cast<py::ssize_t>(count_), ping.beam_count};
+    }
     std::vector<py::ssize_t> shape = {static_cast<py::ssize_t>(count_), ping.bin_count, ping.beam_count};
     const std::size_t cells = static_cast<std::size_t>(ping.bin_count) * static_cast<std::size_t>(ping.beam_count);
     if (size > cells) {

@@ -24,6 +24,9 @@ void visit_tables(Visit&& visit) {
         "to 1 in the paper model.");
   visit("field", &Ping::field, "Complex field, complex64, whose squared magnitude is the intensity.");
   visit("counts", &Ping::counts, "Counts of the instrument, uint16.");
+  visit("phase", &Ping::phase,
+        "Phase between the halves of a multibeam's receive array [rad], float32: positive for echoes to port of the "
+        "beam's axis. Not recorded.");
   visit("instance", &Ping::instance,
         "Index into Simulator.instance_names of the strongest echo, uint16; NO_LABEL: no echo.");
   visit("material", &Ping::material, "Index into Simulator.material_names of its material, uint16.");

@@ -12,6 +12,7 @@
 #include "insonify/error.h"
 #include "insonify/printable.h"
 #include "io/recorded/open_recording.h"
+#include "io/recording/sounding_columns.h"
 
 namespace insonify {
 namespace {
@@ -66,6 +67,7 @@ struct RecordedPings::State {
   std::array<std::uint64_t, 2> shape{};  // Bins, beams.
   double full_scale = 1;
   std::string sonar = {}, model = {};
+  mutable std::vector<double> azimuths = {};  // Of the beams; once asked for.
 
   [[nodiscard]] std::string path() const { return tables->path().string(); }
 
@@ -77,6 +79,18 @@ struct RecordedPings::State {
       std::ranges::for_each(*found, [&](const nlohmann::json& text) { texts.push_back(text.is_string() ? text : ""); });
     }
     return texts;
+  }
+
+  // Centres of the beams [rad].
+  const std::vector<double>& beam_azimuths() const {
+    if (azimuths.empty()) {
+      const RecordedTable& table = tables->table("azimuth");
+      azimuths = numbers_of(table, tables->row(table, 0));
+      if (table.by_ping || azimuths.size() != shape[1]) {
+        throw Error(fmt::format("{}: azimuth must have a number for each beam", path()));
+      }
+    }
+    return azimuths;
   }
 
   // `width` numbers for each ping.
@@ -193,6 +207,26 @@ ReceiverConfig RecordedPings::receiver_config() const {
   return state_->tables->receiver_config();
 }
 
+std::vector<Sounding> RecordedPings::soundings(std::uint64_t ping) const {
+  std::vector<Sounding> soundings;
+  if (!has_soundings()) {
+    return soundings;
+  }
+  soundings.resize(state_->shape[1]);
+  for (const SoundingColumn& column : sounding_columns()) {
+    column.restore(state_->row(column.name, ping, soundings.size()), soundings);
+  }
+  const std::vector<double>& azimuths = state_->beam_azimuths();
+  for (std::size_t beam = 0; beam < soundings.size(); ++beam) {
+    soundings[beam].azimuth = static_cast<float>(azimuths[beam]);
+  }
+  return soundings;
+}
+
+bool RecordedPings::has_soundings() const {
+  return state_->tables->find("sounding_range") != nullptr;
+}
+
 Ping RecordedPings::ping(std::uint64_t number) const {
   const std::vector<double> values = intensity(number);
   Ping ping;
@@ -212,6 +246,7 @@ Ping RecordedPings::ping(std::uint64_t number) const {
   if (state_->tables->find("head_angle") != nullptr) {
     ping.head_angle = state_->row("head_angle", number, 1)[0];
   }
+  ping.soundings = soundings(number);
   return ping;
 }
 

@@ -98,7 +98,6 @@ const PingLayer kLayers[] = {
      "",
      {"1", "Echo intensity by paths that meet one surface, without noise, speckle and reverberation of the water."}},
 };
-static_assert(std::size(kLayers) == kMostPingLayers);
 
 }  // namespace
 

@@ -30,9 +30,7 @@ struct PingLayer {
   [[nodiscard]] std::span<const std::byte> bytes(const Ping& ping) const;
 };
 
-inline constexpr std::size_t kMostPingLayers = 12;
-
-/// Tables of a sonar's recording, in order; at most kMostPingLayers.
+/// Tables of a sonar's recording, in order.
 [[nodiscard]] std::vector<PingLayer> ping_layers(const Scenario& scenario, const SonarConfig& sonar);
 
 }  // namespace insonify

@@ -19,6 +19,7 @@
 #include "io/recording/ping_layers.h"
 #include "io/recording/put_markers.h"
 #include "io/recording/put_settings.h"
+#include "io/recording/sounding_columns.h"
 
 namespace insonify {
 namespace {
@@ -33,6 +34,10 @@ StoredPose stored_pose(const Pose& pose) {
   const Vec3& p = pose.position;
   const Eigen::Quaterniond& q = pose.orientation;
   return {p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()};
+}
+
+std::span<const SoundingColumn> columns_of(const SonarConfig& sonar) {
+  return sonar.is_multibeam() ? sounding_columns() : std::span<const SoundingColumn>();
 }
 
 // In the order in which Recording::add hands over the values.
@@ -50,6 +55,9 @@ std::vector<GrowingDataset> growing_datasets(const SonarConfig& sonar, const std
   datasets.push_back({"world_from_sonar", H5T_IEEE_F64LE, {StoredPose{}.size()}, false});
   if (sonar.scans()) {
     datasets.push_back({"head_angle", H5T_IEEE_F64LE, {}, false});
+  }
+  for (const SoundingColumn& column : columns_of(sonar)) {
+    datasets.push_back({column.name, column.type(), {static_cast<hsize_t>(sonar.beam_count)}, false});
   }
   return datasets;
 }
@@ -70,6 +78,9 @@ void describe_datasets(const H5Writer& writer, const SonarConfig& sonar, const s
            {"m m m 1 1 1 1", "Pose of the housing: x y z, then the quaternion qw qx qy qz; sonar to world."});
   if (sonar.scans()) {
     describe("head_angle", "ping", {"rad", "Turn of the head in its housing, positive to port."});
+  }
+  for (const SoundingColumn& column : columns_of(sonar)) {
+    describe(column.name, "ping beam", column.note);
   }
 }
 
@@ -126,7 +137,12 @@ struct Recording::State {
   std::vector<PingLayer> layers;
   int bin_count = 0, beam_count = 0;
   bool has_head = false;
+  std::span<const SoundingColumn> columns = {};
+  std::vector<std::span<const std::byte>> rows = {};       // Of the ping that is being added.
+  std::vector<std::vector<std::byte>> column_values = {};  // Likewise, of each of the columns.
   std::vector<Marker> markers = {};
+
+  void add_soundings(const Ping& ping);
 };
 
 Recording::Recording(const std::filesystem::path& path, const Scenario& scenario, const Scene& scene,
@@ -143,7 +159,19 @@ Recording::Recording(const std::filesystem::path& path, const Scenario& scenario
   GrowingFile file(path, growing_datasets(sonar, layers, options.compress), describe,
                    {.threads = options.threads, .replace = options.replace});
   state_ = std::make_unique<State>(
-      State{std::move(file), std::move(layers), sonar.bin_count, sonar.beam_count, sonar.scans()});
+      State{std::move(file), std::move(layers), sonar.bin_count, sonar.beam_count, sonar.scans(), columns_of(sonar)});
+  state_->column_values.resize(state_->columns.size());
+}
+
+void Recording::State::add_soundings(const Ping& ping) {
+  if (!columns.empty() && ping.soundings.size() != static_cast<std::size_t>(beam_count)) {
+    throw Error(fmt::format("{}: ping {} holds {}, not {}", file.path().string(), ping.number,
+                            counted(ping.soundings.size(), "sounding"), beam_count));
+  }
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    columns[i].store(ping.soundings, column_values[i]);
+    rows.emplace_back(column_values[i]);
+  }
 }
 
 Recording::~Recording() = default;
@@ -158,23 +186,24 @@ void Recording::add(const Ping& ping) {
                             state_->beam_count));
   }
   const std::size_t cells = static_cast<std::size_t>(ping.bin_count) * static_cast<std::size_t>(ping.beam_count);
-  std::array<std::span<const std::byte>, kMostPingLayers + 3> rows;
-  std::size_t count = 0;
+  std::vector<std::span<const std::byte>>& rows = state_->rows;
+  rows.clear();
   for (const PingLayer& layer : state_->layers) {
     const std::size_t wanted = cells * std::max<std::size_t>(layer.each, 1);
     if (layer.count(ping) != wanted) {
       throw Error(fmt::format("{}: ping {} holds {} of {}, not {}", path.string(), ping.number,
                               counted(layer.count(ping), "value"), layer.name, wanted));
     }
-    rows[count++] = layer.bytes(ping);
+    rows.push_back(layer.bytes(ping));
   }
   const StoredPose pose = stored_pose(ping.world_from_sonar);
-  rows[count++] = bytes_of(ping.time);
-  rows[count++] = bytes_of(pose);
+  rows.push_back(bytes_of(ping.time));
+  rows.push_back(bytes_of(pose));
   if (state_->has_head) {
-    rows[count++] = bytes_of(ping.head_angle);
+    rows.push_back(bytes_of(ping.head_angle));
   }
-  state_->file.append(std::span(rows).first(count));
+  state_->add_soundings(ping);
+  state_->file.append(rows);
 }
 
 void Recording::mark(const std::vector<Marker>& markers) {

@@ -37,6 +37,12 @@ inline SonarConfig scanning_sonar() {
   return sonar;
 }
 
+inline SonarConfig swath_sonar() {
+  SonarConfig sonar = fan_sonar();
+  sonar.type = SonarType::kMultibeam;
+  return sonar;
+}
+
 // With datasets large enough to be compressed.
 inline SonarConfig large_sonar() {
   SonarConfig sonar = fan_sonar();
@@ -95,6 +101,13 @@ inline Ping make_ping(const SonarConfig& sonar, std::uint64_t number) {
     ping.path_order.push_back(static_cast<std::uint8_t>(cell % 4));
     ping.shadow.push_back(1 / static_cast<float>(1 + cell));
     ping.direct_intensity.push_back(static_cast<float>(10 * number) + static_cast<float>(cell));
+  }
+  for (int beam = 0; sonar.is_multibeam() && beam < sonar.beam_count; ++beam) {
+    Sounding sounding;
+    sounding.range = static_cast<float>(number) + 0.5F * static_cast<float>(beam);
+    sounding.snippet_end = 2 + beam;
+    sounding.detection = beam % 2 == 0 ? Detection::kAmplitude : Detection::kPhase;
+    ping.soundings.push_back(sounding);
   }
   return ping;
 }

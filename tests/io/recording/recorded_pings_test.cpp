@@ -8,6 +8,9 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <array>
+#include <cmath>
+
 #include "insonify/files.h"
 #include "support/message_of.h"
 #include "support/picture_files.h"
@@ -114,6 +117,75 @@ TEST(RecordedPingsTest, GiveBackSettingsAndPings) {
   };
   expect_same(sonar, pings.sonar_config());
   expect_same(scenario.receiver, pings.receiver_config());
+}
+
+// A multibeam of three beams; every member of every sounding differs.
+Ping ping_with_soundings(const SonarConfig& sonar) {
+  Ping ping;
+  ping.bin_count = sonar.bin_count;
+  ping.beam_count = sonar.beam_count;
+  ping.intensity.resize(12);
+  for (int beam = 0; beam < 3; ++beam) {
+    Sounding& sounding = ping.soundings.emplace_back();
+    sounding.azimuth = static_cast<float>(sonar.beam_azimuth(beam));
+    sounding.detection = std::array{Detection::kPhase, Detection::kNone, Detection::kAmplitude}[beam];
+    if (sounding.found()) {
+      const auto n = static_cast<float>(beam);
+      sounding.range = 20 + n;
+      sounding.uncertainty = 0.25F + n;
+      sounding.quality = 1.5F + n;
+      sounding.intensity = 1e-9F * (1 + n);
+      sounding.snippet_begin = 1 + beam / 2;
+      sounding.snippet_end = 3 + beam / 2;
+    }
+  }
+  return ping;
+}
+
+TEST(RecordedPingsTest, GiveBackSoundings) {
+  const WorkingFolder folder;
+  Scenario scenario;
+  scenario.ground_truth = GroundTruth::kNone;
+  SonarConfig sonar;
+  sonar.type = SonarType::kMultibeam;
+  sonar.beam_count = 3;
+  sonar.bin_count = 4;
+  const Ping ping = ping_with_soundings(sonar);
+  {
+    Recording recording("a.h5", scenario, Scene(), sonar);
+    recording.add(ping);
+    Ping without = ping;
+    without.soundings.pop_back();
+    EXPECT_EQ(message_of([&] { recording.add(without); }), "a.h5: ping 0 holds 2 soundings, not 3");
+  }
+  const RecordedPings pings("a.h5");
+  EXPECT_TRUE(pings.has_soundings());
+  const std::vector<Sounding> back = pings.ping(0).soundings;
+  ASSERT_EQ(back.size(), 3U);
+  for (std::size_t beam = 0; beam < 3; ++beam) {
+    const Sounding &wanted = ping.soundings[beam], &found = back[beam];
+    EXPECT_EQ(found.azimuth, wanted.azimuth);
+    EXPECT_EQ(found.detection, wanted.detection);
+    EXPECT_TRUE(found.range == wanted.range || (std::isnan(found.range) && beam == 1)) << found.range;
+    EXPECT_EQ(found.uncertainty, wanted.uncertainty);
+    EXPECT_EQ(found.quality, wanted.quality);
+    EXPECT_EQ(found.intensity, wanted.intensity);
+    EXPECT_EQ(found.snippet_begin, wanted.snippet_begin);
+    EXPECT_EQ(found.snippet_end, wanted.snippet_end);
+  }
+}
+
+TEST(RecordedPingsTest, OfOtherSonarsHaveNoSoundings) {
+  const WorkingFolder folder;
+  Scenario scenario;
+  scenario.ground_truth = GroundTruth::kNone;
+  SonarConfig sonar;
+  sonar.beam_count = 3;
+  sonar.bin_count = 4;
+  Recording("a.h5", scenario, Scene(), sonar).add(ping_with_soundings(sonar));
+  const RecordedPings pings("a.h5");
+  EXPECT_FALSE(pings.has_soundings());
+  EXPECT_TRUE(pings.ping(0).soundings.empty());
 }
 
 TEST(RecordedPingsTest, OfOthersHaveNoSettings) {

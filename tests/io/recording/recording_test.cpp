@@ -82,6 +82,20 @@ TEST(RecordingTest, HoldsTheHeadAngleOfAScanningSonar) {
   EXPECT_EQ(file.attribute<std::string>("head_angle", "units"), "rad");
 }
 
+TEST(RecordingTest, HoldsTheSoundingsOfAMultibeam) {
+  record(scratch("swath"), swath_sonar(), 2);
+  const H5Reader file(scratch("swath"));
+  for (const char* name :
+       {"range", "uncertainty", "quality", "intensity", "snippet_begin", "snippet_end", "detection"}) {
+    EXPECT_EQ(file.shape(std::string("sounding_") + name), (std::vector<hsize_t>{2, 3})) << name;
+  }
+  EXPECT_THAT(file.values<double>("sounding_range"), ElementsAre(0, 0.5, 1, 1, 1.5, 2));
+  EXPECT_THAT(file.values<double>("sounding_snippet_end"), ElementsAre(2, 3, 4, 2, 3, 4));
+  EXPECT_THAT(file.values<double>("sounding_detection"), ElementsAre(1, 2, 1, 1, 2, 1));
+  EXPECT_EQ(file.attribute<std::string>("sounding_range", "units"), "m");
+  EXPECT_EQ(file.attribute<std::string>("sounding_range", "axes"), "ping beam");
+}
+
 TEST(RecordingTest, HoldsAsMuchGroundTruthAsIsAskedFor) {
   const std::vector<std::string> labels{"instance", "material", "elevation"};
   const std::vector<std::string> rest{"strongest_instance", "strongest_share", "elevation_spread",
@@ -166,7 +180,8 @@ TEST(RecordingTest, IsTheSameBytesForTheSamePings) {
 
 TEST(RecordingTest, AllocatesNothingWhilePingsCome) {
   for (const bool compress : {false, true}) {
-    const SonarConfig sonar = large_sonar();
+    SonarConfig sonar = large_sonar();
+    sonar.type = compress ? SonarType::kForwardLooking : SonarType::kMultibeam;
     Recording recording(fresh("allocations"), scenario(), scene(), sonar, {.compress = compress, .threads = 1});
     const Ping ping = make_ping(sonar, 0);
     recording.add(ping);
@@ -211,7 +226,7 @@ TEST(RecordingTest, LeavesAnEarlierOneAloneUntilItIsClosed) {
 
 // Smaller when compressed or stopped.
 TEST(RecordingTest, NeedsNoMoreOnTheDiskThanForetold) {
-  for (const SonarConfig& sonar : {fan_sonar(), large_sonar(), scanning_sonar()}) {
+  for (const SonarConfig& sonar : {fan_sonar(), large_sonar(), scanning_sonar(), swath_sonar()}) {
     for (const int pings : {0, 1, 300}) {
       const auto path = fresh("foretold");
       record(path, sonar, pings);

@@ -1,0 +1,33 @@
+// sounding_columns.h -- the soundings of a multibeam's pings, as stored in recordings: a table for each member.
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "insonify/sounding.h"
+#include "io/recording/hdf5_writer.h"
+
+namespace insonify {
+
+struct SoundingColumn {
+  const char* name;
+  std::variant<float Sounding::*, std::int32_t Sounding::*, Detection Sounding::*> member;
+  H5Note note;
+
+  [[nodiscard]] hid_t type() const;  ///< HDF5 type of a value in the file.
+
+  /// Its value of each sounding, as in the file.
+  void store(std::span<const Sounding> soundings, std::vector<std::byte>& values) const;
+
+  /// Sets it from the numbers of a table, one for each sounding.
+  void restore(std::span<const double> numbers, std::span<Sounding> soundings) const;
+};
+
+/// All members but the azimuth, which is that of the beam. Recordings of multibeams have these tables, others none.
+[[nodiscard]] std::span<const SoundingColumn> sounding_columns();
+
+}  // namespace insonify
