@@ -1,4 +1,4 @@
-// export.h -- writes recordings in the formats of other tools: MCAP, NumPy, Zarr, XTF, JSF and video.
+// export.h -- writes recordings in the formats of other tools: MCAP, NumPy, Zarr, survey files and video.
 
 #pragma once
 
@@ -34,12 +34,14 @@ struct VideoOptions {
 struct ExportOptions {
   bool replace = false;          ///< Whether an existing file is replaced.
   bool compress = true;          ///< Whether tables in .npz files are compressed; .zarr and .mcap always are.
-  MessageOptions messages = {};  ///< For .mcap and .bag; start_ns for .xtf and .jsf too.
+  MessageOptions messages = {};  ///< For .mcap and .bag; start_ns for survey files too.
   VideoOptions video = {};       ///< For .mp4 and .gif.
 
-  /// Where the world's origin is, for .xtf and .jsf: their positions are then latitudes and longitudes, by the plane
-  /// that touches the ellipsoid there, x to the east and y to the north. Absent: metres.
+  /// Where the world's origin is, for .xtf, .jsf and .xyz: their positions are then latitudes and longitudes, by the
+  /// plane that touches the ellipsoid there, x to the east and y to the north. Absent: metres. .gsf and .kmall need it.
   std::optional<GeographicPoint> origin = {};
+
+  bool uncertainty = false;  ///< Whether lines of .xyz end with the standard deviation of the depth.
 
   /// Receives warnings of clipped values in sonar images: SonarMessages::cut_text().
   Log log = {};
@@ -63,14 +65,18 @@ struct RecordingPart {
 /// - `.zarr`: a folder in Zarr version 2, one chunk per ping, compressed by zlib, a group per sonar if there are
 /// several. `.zattrs` has attributes and settings.
 /// - `.xtf`, `.jsf`: up to three side-scan sonars with their navigation, as survey programs read them.
+/// - `.xyz`: soundings of multibeams as lines of text, x y z of the world; with an origin longitude, latitude and depth
+///   below z = 0. Positions are those that the instrument would write: by the sound speed that it assumes.
+/// - `.gsf`, `.kmall`: soundings of one multibeam with its navigation, as survey programs read them.
 /// - `.mp4`, `.gif`: the fan of one sonar, or the scan of a scanning one, made by the program ffmpeg.
 ///
 /// The file appears under its name once it is complete.
 /// @param recordings  HDF5 as Recording writes it, MCAP as McapRecording does, also unfinished ones. At least one. Of
 ///                    MCAP, intensities are as exact as its levels (RecordedPings), and there is no ground truth.
 /// @throws Error with the path: for another ending, several sonars in a video, other than side-scan sonars in
-///         .xtf and .jsf, an origin out of limits, sonars with the same name, recordings of
-///         different runs or without a ping, a file that exists already, a full disk; where ffmpeg is not installed.
+///         .xtf and .jsf and than multibeams in .xyz, .gsf and .kmall, an origin out of limits or missing, sonars with
+///         the same name, recordings of different runs or without a ping, a file that exists already, a full disk;
+///         where ffmpeg is not installed.
 void export_recordings(std::span<const RecordingPart> recordings, const std::filesystem::path& file,
                        const ExportOptions& options = {});
 void export_recordings(std::span<const std::filesystem::path> recordings, const std::filesystem::path& file,

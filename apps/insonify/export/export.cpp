@@ -28,7 +28,8 @@ struct ExportCommand {
   int bits = 16;                    // Bits of a value of sonar images in .mcap, 8 or 16.
   MessageChoice messages;           // What the messages of .mcap and .bag hold.
   bool store = false;               // Leave .npz uncompressed.
-  std::string origin = {};          // Latitude and longitude of the world's origin, for .xtf and .jsf; "": none.
+  std::string origin = {};          // Latitude and longitude of the world's origin, for survey files; "": none.
+  bool uncertainty = false;         // A fourth column of .xyz.
   std::optional<double> rate = {};  // Pictures a second of a video.
   PictureOptions pictures;          // Colours and levels.
   std::vector<std::string> given;   // Names of the options that act on some formats only and were given.
@@ -39,9 +40,10 @@ void check_effects(const ExportCommand& options) {
   static const std::map<std::string, std::vector<std::string>> kActsOn = {
       {"--bits", {".mcap", ".bag"}},
       {"--fan-rate", {".mcap", ".bag"}},
-      {"--start", {".mcap", ".bag", ".xtf", ".jsf"}},
+      {"--start", {".mcap", ".bag", ".xtf", ".jsf", ".gsf", ".kmall"}},
       {"--store", {".npz"}},
-      {"--origin", {".xtf", ".jsf"}},
+      {"--origin", {".xtf", ".jsf", ".xyz", ".gsf", ".kmall"}},
+      {"--uncertainty", {".xyz"}},
       {"--rate", {".mp4", ".gif"}},
       {"--colour-map", {".mp4", ".gif", ".mcap", ".bag"}},
       {"--height", {".mp4", ".gif"}},
@@ -97,6 +99,7 @@ int export_command(const ExportCommand& options) {
   how.messages.bits = options.bits;
   how.log = [](Severity, const std::string& message) { complain("warning: " + message + "; --levels changes that"); };
   how.origin = parsed_origin(options.origin);
+  how.uncertainty = options.uncertainty;
   how.video.rate = options.rate;
   how.video.low_db = how.messages.low_db;
   how.video.high_db = how.messages.high_db;
@@ -133,7 +136,9 @@ void add_export(const Command& program) {
   add_message_choice(command, options.messages, "in .mcap and .bag", "[that of the recordings, else 1970]");
   command.flag("--store", &options.store, "Do not compress .npz");
   command.option("--origin", "LAT,LON", &options.origin,
-                 "Where the world's origin is [deg], for positions in .xtf and .jsf [metres]", origin());
+                 "Where the world's origin is [deg], for positions in survey files [metres]; .gsf and .kmall need it",
+                 origin());
+  command.flag("--uncertainty", &options.uncertainty, "Standard deviations of depths as a fourth column of .xyz");
   command.option("--rate", "N", &options.rate,
                  "Frames per second of a video [as fast as the pings were made, at most 50]",
                  number_within(above_to(0, 120)));
@@ -151,7 +156,8 @@ void add_export(const Command& program) {
       "  insonify export run.mcap --sonar fls -o fls.npz\n"
       "  insonify export out/fls.h5 -o fls.gif --levels -90:-40 --height 480");
   command.act([command, &options, &bits] {
-    for (const char* name : {"--bits", "--store", "--rate", "--height", "--colour-map", "--levels", "--origin"}) {
+    for (const char* name :
+         {"--bits", "--store", "--rate", "--height", "--colour-map", "--levels", "--origin", "--uncertainty"}) {
       if (command.given(name)) {
         options.given.emplace_back(name);
       }

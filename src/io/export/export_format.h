@@ -26,6 +26,9 @@ void export_npz(RecordedSonars recordings, const std::filesystem::path& file, co
 void export_zarr(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options);
 void export_xtf(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options);
 void export_jsf(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options);
+void export_xyz(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options);
+void export_gsf(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options);
+void export_kmall(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options);
 void export_video(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options);
 
 /// @throws Interrupted when the caller has asked to stop.

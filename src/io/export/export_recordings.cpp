@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 
 #include "base/utf8.h"
 #include "insonify/error.h"
@@ -18,14 +19,19 @@
 namespace insonify {
 namespace {
 
+constexpr std::size_t kAny = std::numeric_limits<std::size_t>::max();
+
 struct ExportFormat : ExportKind {
   void (*write)(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options);
   std::string_view mark = {};  // A file in every export of the format, which is a folder; "": it is a file.
-  std::size_t most_sonars = std::numeric_limits<std::size_t>::max();
-  bool side_scan = false;  // Whether it holds side-scan sonars only.
+  std::size_t most_sonars = kAny;
+  std::optional<SonarType> only = {};  // The type of sonar that it holds.
+  bool on_earth = false;               // Whether it needs an origin.
 };
 
 constexpr std::size_t kMostSideScans = 3;  // Six channels of an XTF header, three frequencies of EdgeTech's.
+
+constexpr SonarType kSideScan = SonarType::kSideScan, kMultibeam = SonarType::kMultibeam;
 
 // In the order in which messages list them.
 constexpr ExportFormat kFormats[] = {
@@ -33,8 +39,11 @@ constexpr ExportFormat kFormats[] = {
     {{".bag", "ROS 1 messages of all sonars, for rosbag"}, export_bag},
     {{".npz", "NumPy arrays: numpy.load(FILE)[\"intensity\"]"}, export_npz},
     {{".zarr", "a folder of chunked arrays, one chunk a ping"}, export_zarr, ".zgroup"},
-    {{".xtf", "side-scan sonars with navigation, for survey programs"}, export_xtf, "", kMostSideScans, true},
-    {{".jsf", "the same as files of EdgeTech's"}, export_jsf, "", kMostSideScans, true},
+    {{".xtf", "side-scan sonars with navigation, for survey programs"}, export_xtf, "", kMostSideScans, kSideScan},
+    {{".jsf", "the same as files of EdgeTech's"}, export_jsf, "", kMostSideScans, kSideScan},
+    {{".xyz", "soundings of multibeams as text: x y z"}, export_xyz, "", kAny, kMultibeam},
+    {{".gsf", "soundings of a multibeam with navigation, for survey programs"}, export_gsf, "", 1, kMultibeam, true},
+    {{".kmall", "the same as files of Kongsberg's"}, export_kmall, "", 1, kMultibeam, true},
     {{".mp4", "the fan of one sonar, by the program ffmpeg"}, export_video, "", 1},
     {{".gif", "the same as a moving picture"}, export_video, "", 1}};
 
@@ -91,16 +100,17 @@ void check_kinds(const std::filesystem::path& file, const ExportFormat& format, 
     for (const auto& recording : recordings) {
       names.push_back(name_of(*recording));
     }
-    throw Error(fmt::format("{}: a {}, and there are {}: {}", file.string(),
-                            format.side_scan
-                                ? fmt::format("file of {} holds at most {} sonars", format.ending, format.most_sonars)
-                                : "video shows one sonar",
-                            names.size(), printable(fmt::format("{}", fmt::join(names, ", ")))));
+    throw Error(fmt::format(
+        "{}: a {}, and there are {}: {}", file.string(),
+        format.only ? fmt::format("file of {} holds at most {}", format.ending, counted(format.most_sonars, "sonar"))
+                    : "video shows one sonar",
+        names.size(), printable(fmt::format("{}", fmt::join(names, ", ")))));
   }
   for (const auto& recording : recordings) {
-    if (format.side_scan && !recording->sonar_config().is_side_scan()) {
-      throw Error(fmt::format("{}: its sonar {} is not a side-scan sonar; {} holds these alone",
-                              recording->path().string(), printable(name_of(*recording)), format.ending));
+    if (format.only && recording->sonar_config().type != *format.only) {
+      throw Error(fmt::format("{}: its sonar {} is not a {}; {} holds these alone", recording->path().string(),
+                              printable(name_of(*recording)),
+                              *format.only == kSideScan ? "side-scan sonar" : "multibeam", format.ending));
     }
   }
 }
@@ -150,6 +160,9 @@ Checked checked(std::span<const RecordingPart> recordings, const std::filesystem
   check_place(found.file, *found.format, options.replace);
   if (options.origin) {
     check_origin(*options.origin);
+  } else if (found.format->on_earth) {
+    throw Error(fmt::format("{}: {} holds latitudes and longitudes, for which an origin is needed", found.file.string(),
+                            found.format->ending));
   }
   for (const RecordingPart& recording : recordings) {
     for (auto& sonar : open_all_tables(recording.path, recording.sonar)) {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -29,6 +31,37 @@ class FieldRecord {
   void put_text(std::size_t at, std::string_view text, std::size_t size) {
     std::ranges::copy(std::as_bytes(std::span(text.substr(0, size))), bytes_.begin() + static_cast<std::ptrdiff_t>(at));
   }
+
+  [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_; }
+
+ private:
+  std::vector<std::byte> bytes_;
+};
+
+/// A record to which fields are appended.
+template <std::endian kOrder>
+class FieldStream {
+ public:
+  template <typename Number>
+  void put(Number number) {
+    auto bytes = std::bit_cast<std::array<std::byte, sizeof number>>(number);
+    if constexpr (kOrder != std::endian::native) {
+      std::ranges::reverse(bytes);
+    }
+    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+  }
+
+  /// One field after the other.
+  template <typename... Numbers>
+  void put_all(Numbers... numbers) {
+    (put(numbers), ...);
+  }
+
+  void put_bytes(std::span<const std::byte> bytes) { bytes_.insert(bytes_.end(), bytes.begin(), bytes.end()); }
+  void put_text(std::string_view text) { put_bytes(std::as_bytes(std::span(text))); }
+
+  /// Appends zeros up to a multiple of `multiple` bytes.
+  void fill(std::size_t multiple) { bytes_.resize((bytes_.size() + multiple - 1) / multiple * multiple); }
 
   [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_; }
 
