@@ -19,6 +19,10 @@ Simulator::Simulator(Scenario scenario, Scene scene, int threads, std::span<cons
                      const Log& log, std::uint64_t pings) {
   scenario.validate();
   check_scene(scene);
+  if (scenario.pattern) {
+    scenario = flown(std::move(scenario), scene);
+    scenario.validate();
+  }
   state_ = std::make_unique<State>(std::move(scenario), std::move(scene), threads, movable, log, pings);
 }
 

@@ -11,7 +11,7 @@ import pathlib
 import re
 import sys
 
-CHAIN = ["base", "gpu", "acoustics", "scene", "sonar", "echo", "receiver", "survey", "image", "simulator"]
+CHAIN = ["base", "gpu", "acoustics", "scene", "sonar", "echo", "receiver", "survey", "image", "pattern", "simulator"]
 
 # Modules at the edge: which internal headers they may include, and that nothing in the chain may include them. Public
 # headers are open to all of them.
@@ -114,6 +114,7 @@ PUBLIC = {
     "waterfall.h": "image",
     "draw_mosaic.h": "image",
     "mosaic_files.h": "io",
+    "pattern.h": "pattern",
     "ping_request.h": "simulator",
     "scenario.h": "simulator",
     "scenario_requests.h": "simulator",
@@ -138,6 +139,7 @@ PUBLIC = {
     "sound_speed_files.h": "io",
     "stored_tables.h": "io",
     "similarity.h": "similarity",
+    "survey_plan.h": "view",
 }
 
 INCLUDE = re.compile(r'^\s*#include "([^"]+)"')

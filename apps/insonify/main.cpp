@@ -49,6 +49,7 @@ int run_program(std::vector<std::string> words) {
   add_sonars(program);
   add_describe(program);
   add_compare(program);
+  add_survey(program);
   add_bench(program);
   add_version(program);
   add_completion(program);

@@ -12,6 +12,7 @@
 #include "insonify/ground_truth.h"
 #include "insonify/interferer.h"
 #include "insonify/paper_model.h"
+#include "insonify/pattern.h"
 #include "insonify/point_target.h"
 #include "insonify/receiver_config.h"
 #include "insonify/scene.h"
@@ -118,7 +119,10 @@ struct Scenario {
   std::vector<Thruster> thrusters;      ///< Thrusters of the vehicle. Calibrated model only.
   std::optional<SeaSurface> surface;    ///< Absent: none.
   std::vector<SonarConfig> sonars;
-  Trajectory trajectory;  ///< Trajectory of the vehicle.
+  Trajectory trajectory;                 ///< Trajectory of the vehicle.
+  std::optional<SurveyPattern> pattern;  ///< Instead: what flown() makes the trajectory from. A simulator's has none.
+  std::vector<PingSpan> ping_spans;      ///< When the sonars ping, in order; empty: all the time. The last has no end
+                                         ///< where `pings` are more.
   std::vector<Motion> motions;
   std::optional<ViewConfig> view;  ///< Absent: chosen to show the first sonar's field.
 
@@ -142,8 +146,8 @@ struct Scenario {
   /// The settings of a sonar with derived ones filled in: assumed sound speed and ping period.
   [[nodiscard]] SonarConfig filled_in(SonarConfig sonar) const;
 
-  /// Number of pings of one of its sonars by `pings`, `duration` or `turns`, at least 1. Expects the sonar from
-  /// filled_in().
+  /// Number of pings of one of its sonars by `pings`, `duration` or `turns`, and `ping_spans`, at least 1. Expects the
+  /// sonar from filled_in().
   [[nodiscard]] std::uint64_t ping_count(const SonarConfig& sonar) const;
 
   /// Checks every part and the rules between them: at least one sonar, unique names, periods long enough.
@@ -256,6 +260,12 @@ struct Scenario {
   static void visit_parts(Self& self, Visit&& visit);
 };
 
+/// The scenario with a trajectory over a scene instead of its `pattern`, and `duration` and `ping_spans` of the survey
+/// where it has no others; the same scenario if it has no pattern. Simulator does this too.
+/// @param scene  As for Simulator.
+/// @throws Error for a line that leaves the terrain or runs into something.
+[[nodiscard]] Scenario flown(Scenario scenario, const Scene& scene);
+
 // ---------------------------------------------------------------------------------------------------------------------
 
 template <typename Self, typename Visit>
@@ -295,6 +305,13 @@ void Scenario::visit_parts(Self& self, Visit&& visit) {
              "before the first and after the last it stands still. Instead of the list, a file: `trajectory: "
              "log.csv` or `trajectory: {file: log.tum, start: 100}` ([trajectory files](trajectories.md))."},
         self.trajectory.waypoints);
+  visit(Part{"pattern", "map", "Instead of `trajectory`: a survey by lines, see `pattern`.",
+             "A survey over the bed of the world ([how to](../how-to/survey.md)). Without `pings` and `duration` the "
+             "sonars ping until its end."},
+        self.pattern);
+  visit(Part{"ping_spans", "list of spans of time", "When the sonars ping; all the time when absent: see `ping_spans`.",
+             "One entry for each span of time in which the sonars ping, in order."},
+        self.ping_spans);
   visit(Part{"motions", "list of motions", "Objects of the world that move: see `motions`.",
              "One entry for each object of the world that moves."},
         self.motions);
@@ -317,6 +334,10 @@ extern template const SettingsTable& table_of<Interferer>();
 extern template const SettingsTable& table_of<Thruster>();
 extern template const SettingsTable& table_of<SeaSurface>();
 extern template const SettingsTable& table_of<Waypoint>();
+extern template const SettingsTable& table_of<SurveyPattern>();
+extern template const SettingsTable& table_of<SurveyLines>();
+extern template const SettingsTable& table_of<MotionNoise>();
+extern template const SettingsTable& table_of<PingSpan>();
 extern template const SettingsTable& table_of<Motion>();
 extern template const SettingsTable& table_of<ViewConfig>();
 extern template const SettingsTable& table_of<Scenario>();

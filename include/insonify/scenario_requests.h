@@ -7,12 +7,12 @@
 
 namespace insonify {
 
-/// Pings of one sonar follow each other at its period, from time 0. The vehicle and the objects of motions follow their
-/// trajectories, and a scanning head turns by its steps.
+/// Pings of one sonar follow each other at its period, from time 0 or within the scenario's ping_spans. The vehicle and
+/// the objects of motions follow their trajectories, and a scanning head turns by its steps.
 class ScenarioRequests {
  public:
   /// @param scenario  May be destroyed afterwards.
-  /// @throws Error if a sonar would be above the water's surface.
+  /// @throws Error if a sonar would be above the water's surface, and for a pattern that is not flown() yet.
   explicit ScenarioRequests(const Scenario& scenario);
 
   /// Number of pings of one sonar: Scenario::ping_count().
@@ -58,6 +58,7 @@ class ScenarioRequests {
   std::vector<Motion> motions_;
   std::optional<SeaSurface> surface_;
   bool motion_in_ping_ = false;
+  std::vector<PingSpan> ping_spans_;
 };
 
 }  // namespace insonify

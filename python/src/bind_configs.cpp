@@ -148,6 +148,10 @@ void bind_configs(py::module_& module) {
   ConfigClass<Thruster>(module, "Thruster", about("thrusters"));
   ConfigClass<SeaSurface>(module, "SeaSurface", about("surface"));
   ConfigClass<Waypoint>(module, "Waypoint", about("trajectory"));
+  ConfigClass<SurveyLines>(module, "SurveyLines", about("lines"));
+  ConfigClass<MotionNoise>(module, "MotionNoise", about("motion_noise"));
+  ConfigClass<SurveyPattern>(module, "SurveyPattern", about("pattern"));
+  ConfigClass<PingSpan>(module, "PingSpan", about("ping_spans"));
   ConfigClass<Motion>(module, "Motion", about("motions"));
   ConfigClass<ViewConfig>(module, "ViewConfig", about("view"));
   ConfigClass<Scenario> scenario(module, "Scenario", about("scenario"));

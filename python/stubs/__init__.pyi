@@ -114,6 +114,18 @@ class SeaSurface:
 class Waypoint:
     # FIELDS
 
+class SurveyLines:
+    # FIELDS
+
+class MotionNoise:
+    # FIELDS
+
+class SurveyPattern:
+    # FIELDS
+
+class PingSpan:
+    # FIELDS
+
 class Motion:
     # FIELDS
 

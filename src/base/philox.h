@@ -24,7 +24,8 @@ enum class RandomPurpose : std::uint32_t {
   kWalks = 13,              // echo/walks/random_walks.cpp
   kTransmitLeak = 14,       // receiver/transmit_leak.cpp: level and phase in each beam
   kThrusterInPhase = 15,    // receiver/noise/thruster_noise.cpp, real part
-  kThrusterQuadrature = 16  // ... and imaginary part
+  kThrusterQuadrature = 16,  // ... and imaginary part
+  kVehicleMotion = 17        // pattern/random_motion.cpp
 };
 
 using PhiloxCounter = std::array<std::uint32_t, 4>;

@@ -23,8 +23,7 @@ LiveStart start_after(LiveWay way, const Pose& place, const Scenario& scenario, 
   return {.follows = false, .world_from_vehicle = way == LiveWay::kPlaced ? place : standing.next_pose};
 }
 
-std::unique_ptr<Simulator> LiveBuilder::build(const Scenario& scenario, const LiveStart& start,
-                                              const LiveObjectList& objects, const Log& log) {
+Scene LiveBuilder::scene_of(const Scenario& scenario, const LiveObjectList& objects, const Log& log) {
   if (!scenario.world.empty() && (scenario.world != world_path_ || world_options(scenario) != options_)) {
     world_ = load_scene(scenario.world, world_options(scenario), log);
     world_path_ = scenario.world;
@@ -34,6 +33,17 @@ std::unique_ptr<Simulator> LiveBuilder::build(const Scenario& scenario, const Li
   for (const LiveObject& object : objects) {
     scene.instances.push_back(object.instance);
   }
+  return scene;
+}
+
+Scenario LiveBuilder::scenario_of(const LiveSettings& settings, const LiveObjectList& objects, const Log& log) {
+  Scenario scenario = settings.scenario(log);
+  return scenario.pattern ? flown(scenario, scene_of(scenario, objects, log)) : scenario;
+}
+
+std::unique_ptr<Simulator> LiveBuilder::build(const Scenario& scenario, const LiveStart& start,
+                                              const LiveObjectList& objects, const Log& log) {
+  Scene scene = scene_of(scenario, objects, log);
   assign_scenario_materials(scene, scenario, log);
   return std::make_unique<Simulator>(scenario_from(scenario, start), std::move(scene), threads_,
                                      std::span<const MovableObject>(), log);
@@ -61,7 +71,7 @@ LivePrepared LiveBuilder::prepare(std::span<const LiveChange> changes, const Liv
     }
   }
   if (text_changes || materials_change) {
-    next.scenario = next.settings.scenario(log);
+    next.scenario = scenario_of(next.settings, objects, log);
   }
   // Under a surface the sound speed follows from the vehicle's initial depth.
   const bool by_depth = next.scenario.surface.has_value();

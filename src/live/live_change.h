@@ -68,6 +68,10 @@ class LiveBuilder {
  public:
   explicit LiveBuilder(int threads) : threads_(threads) {}
 
+  /// The scenario of settings, with its pattern flown() over its world.
+  /// @param objects  In addition to the scenario's world.
+  [[nodiscard]] Scenario scenario_of(const LiveSettings& settings, const LiveObjectList& objects, const Log& log);
+
   /// @param objects  In addition to the scenario's world.
   /// @param scene    Of the current pings.
   /// @param log      Receives warnings about settings and worlds.
@@ -81,6 +85,8 @@ class LiveBuilder {
                                      const LiveObjectList& objects, const Scene& scene, const Log& log);
 
  private:
+  [[nodiscard]] Scene scene_of(const Scenario& scenario, const LiveObjectList& objects, const Log& log);
+
   int threads_;
   std::filesystem::path world_path_;
   WorldOptions options_;

@@ -33,7 +33,7 @@ LiveLoop::State::State(const std::filesystem::path& given, std::span<const std::
   settings = {.text = read_text_or_pipe(path), .path = path};
   settings.settings.assign(changes.begin(), changes.end());
   settings.followed = options.followed;
-  scenario = settings.scenario(log);
+  scenario = builder.scenario_of(settings, {}, log);
   const LiveStart start;
   simulator = builder.build(scenario, start, {}, log);
   simulator->stop_when(&ending);

@@ -56,10 +56,15 @@ Pose flown_on(const Pose& pose, const LiveVelocity& velocity, double time) {
 Scenario scenario_from(Scenario scenario, const LiveStart& start) {
   if (!start.follows) {
     scenario.trajectory.waypoints = {exact_waypoint(0, start.world_from_vehicle)};
+    scenario.ping_spans.clear();  // They are those of the path that is not followed.
     scenario.text.clear();
   } else if (start.time != 0 && scenario.motions.empty() && scenario.trajectory.waypoints.size() > 1) {
     for (Waypoint& waypoint : scenario.trajectory.waypoints) {
       waypoint.time -= start.time;
+    }
+    std::erase_if(scenario.ping_spans, [&](const PingSpan& span) { return span.end <= start.time; });
+    for (PingSpan& span : scenario.ping_spans) {
+      span = {std::max(0.0, span.begin - start.time), span.end - start.time};
     }
     scenario.text.clear();
   }

@@ -9,6 +9,7 @@
 #include "insonify/scenario.h"
 #include "receiver/array/steering.h"
 #include "simulator/checks.h"
+#include "pattern/swath.h"
 
 namespace insonify {
 namespace {
@@ -27,11 +28,9 @@ void check_water(const Scenario& scenario) {
   }
 }
 
-void check_profile_of(const Scenario& scenario) {
-  if (scenario.primary == PrimaryEchoes::kRaster && !scenario.water.profile.empty()) {
-    throw Error("", "primary", " = raster draws along straight rays; with water.profile it must be auto or rays",
-                {"water.profile"});
-  }
+// Before a pattern is flown, the depth below a surface is not known, nor is the sound speed there.
+bool depth_is_known(const Scenario& scenario) {
+  return !scenario.pattern || !scenario.surface;
 }
 
 void check_ping_period(const std::string& object, const SonarConfig& sonar, const Water& water) {
@@ -62,7 +61,9 @@ void check_sonars(const Scenario& scenario) {
       sonars[i].receiver->validate(object + ".receiver");
     }
     const Water water = scenario.water_at(sonars[i]);
-    check_ping_period(object, sonars[i], water);
+    if (depth_is_known(scenario)) {
+      check_ping_period(object, sonars[i], water);
+    }
     if (scenario.model == EchoModel::kCalibrated) {
       static_cast<void>(steered_by_assumed_speed(sonars[i], water.true_sound_speed(), object));
     }
@@ -157,6 +158,44 @@ void check_length(const Scenario& scenario) {
   }
 }
 
+void check_ping_spans(const Scenario& scenario) {
+  const std::vector<PingSpan>& spans = scenario.ping_spans;
+  if (!spans.empty() && scenario.mutual_interference) {
+    throw Error("", "mutual_interference", " needs sonars that ping all the time, without ping_spans", {"ping_spans"});
+  }
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    const std::string object = fmt::format("ping_spans[{}]", i);
+    if (!(spans[i].end > spans[i].begin)) {
+      throw Error(object, "end",
+                  fmt::format(" = {:.10g} s must be greater than begin = {:.10g} s", spans[i].end, spans[i].begin),
+                  {object + ".begin"});
+    }
+    if (i > 0 && spans[i].begin < spans[i - 1].end) {
+      throw Error(object, "begin",
+                  fmt::format(" = {:.10g} s must be at least ping_spans[{}].end = {:.10g} s", spans[i].begin, i - 1,
+                              spans[i - 1].end));
+    }
+  }
+}
+
+void check_pattern(const Scenario& scenario) {
+  if (!scenario.pattern) {
+    return;
+  }
+  if (!scenario.trajectory.waypoints.empty()) {
+    throw Error("", "pattern", " and trajectory both move the vehicle; leave one out", {"trajectory"});
+  }
+  if (!scenario.ping_spans.empty() && scenario.pattern->lines.turns == TurnPings::kSkip) {
+    throw Error("pattern.lines", "turns", " = skip and ping_spans both say when the sonars ping; leave one out");
+  }
+  if (scenario.mutual_interference && scenario.pattern->lines.turns == TurnPings::kSkip) {
+    throw Error("", "mutual_interference", " needs sonars that ping all the time: pattern.lines.turns = ping",
+                {"pattern.lines.turns"});
+  }
+  scenario.pattern->validate("pattern");
+  (void)line_spacing(scenario.pattern->lines, scenario.sonars);
+}
+
 void check_view(const ViewConfig& view) {
   if (view.position == view.look_at) {
     throw Error("view", "look_at", " must differ from view.position", {"view.position"});
@@ -202,6 +241,8 @@ void Scenario::validate() const {
   check_materials(materials);
   check_sonars(*this);
   check_length(*this);
+  check_ping_spans(*this);
+  check_pattern(*this);
   if (model == EchoModel::kCalibrated) {
     check_receivers(*this);
     check_mutual_interference(*this);

@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <string_view>
 
 #include "insonify/geometry.h"
@@ -22,6 +24,9 @@ void check_receivers(const Scenario& scenario);
 /// Motion in a ping is computed to first order in speed over sound speed.
 /// @throws Error "trajectory[1] comes to 120 m/s from the one before; with motion_in_ping at most 100 m/s".
 void check_speeds(const Trajectory& trajectory);
+
+/// Time of a ping [s]: number times period, within the spans one after the other; the last of them has no end.
+[[nodiscard]] double ping_time(std::span<const PingSpan> spans, double period, std::uint64_t number);
 
 /// Rounds up to three digits.
 /// @param value  > 0.

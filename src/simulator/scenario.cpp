@@ -5,7 +5,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulator/checks.h"
+
 namespace insonify {
+namespace {
+
+// Number of pings before a time, the first at 0.
+std::uint64_t pings_before(double time, double period) {
+  constexpr double kSlack = 1e-9;  // A duration of a whole number of periods must not get one ping more by rounding.
+  return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::ceil(time / period * (1 - kSlack))));
+}
+
+}  // namespace
 
 bool Scenario::has_even_rows(const SonarConfig& sonar) const {
   const ReceiverConfig& own = receiver_of(sonar);
@@ -36,11 +47,26 @@ SonarConfig Scenario::filled_in(SonarConfig sonar) const {
   return sonar;
 }
 
+double ping_time(std::span<const PingSpan> spans, double period, std::uint64_t number) {
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    const std::uint64_t pings_of_span = pings_before(spans[i].end - spans[i].begin, period);
+    if (number < pings_of_span || i + 1 == spans.size()) {
+      return spans[i].begin + static_cast<double>(number) * period;
+    }
+    number -= pings_of_span;
+  }
+  return static_cast<double>(number) * period;
+}
+
 std::uint64_t Scenario::ping_count(const SonarConfig& sonar) const {
-  constexpr double kSlack = 1e-9;  // A duration of a whole number of periods must not get one ping more by rounding.
-  const auto pings_before = [](double time, double period) {
-    return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::ceil(time / period * (1 - kSlack))));
-  };
+  if (duration && !ping_spans.empty()) {
+    std::uint64_t count = 0;
+    for (const PingSpan& span : ping_spans) {
+      const double end = std::min(span.end, *duration);
+      count += end > span.begin ? pings_before(end - span.begin, *sonar.ping_period) : 0;
+    }
+    return std::max<std::uint64_t>(1, count);
+  }
   if (duration) {
     return pings_before(*duration, *sonar.ping_period);
   }

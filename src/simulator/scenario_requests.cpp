@@ -48,7 +48,11 @@ ScenarioRequests::ScenarioRequests(const Scenario& scenario)
     : trajectory_(scenario.trajectory),
       motions_(scenario.motions),
       surface_(scenario.surface),
-      motion_in_ping_(scenario.motion_in_ping) {
+      motion_in_ping_(scenario.motion_in_ping),
+      ping_spans_(scenario.ping_spans) {
+  if (scenario.pattern) {
+    throw Error("", "pattern", " has no trajectory before flown() lays it over a scene");
+  }
   if (scenario.surface) {
     check_depths(scenario);
   }
@@ -76,7 +80,7 @@ void ScenarioRequests::fill(int sonar, std::uint64_t number, PingRequest& reques
 }
 
 double ScenarioRequests::time_of(int sonar, std::uint64_t number) const {
-  return static_cast<double>(number) * *sonars_[sonar_index(sonar, sonars_.size())].ping_period;
+  return ping_time(ping_spans_, *sonars_[sonar_index(sonar, sonars_.size())].ping_period, number);
 }
 
 double ScenarioRequests::reach(int sonar, std::uint64_t number) const {

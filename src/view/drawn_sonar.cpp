@@ -6,10 +6,11 @@
 #include <cmath>
 #include <limits>
 
+#include "image/canvas.h"
+
 namespace insonify {
 namespace {
 
-constexpr double kTwoPi = 2 * std::numbers::pi;
 constexpr double kPieceAngle = radians_from_degrees(1);
 constexpr int kPiecesAlong = 64;  // Segments of a straight edge; each is drawn or hidden as a whole.
 

@@ -28,6 +28,21 @@ TEST_F(LiveLoopTest, FollowsTheTrajectoryAsARunDoes) {
   expect_repeats(loop->saved_scenario(), keeper_.pings());
 }
 
+TEST_F(LiveLoopTest, FliesAPatternAsARunDoes) {
+  // The floor's upper side is at z = -2.9.
+  const auto loop = started(scenario_text("pattern: {lines: {center: [1, 0], length: 6, altitude: 2.5, speed: 2}}\n"),
+                            {.threads = 2});
+  keeper_.wait_for_pings(12);
+  EXPECT_NEAR(loop->world()->trajectory.at(1).position.x(), 0, 1e-9);
+  EXPECT_NEAR(loop->world()->trajectory.at(1).position.z(), -0.4, 1e-6);
+  EXPECT_EQ(answer_to([&](auto done) { loop->set({"pattern.lines.speed=1"}, done); }), "");
+  EXPECT_NEAR(loop->world()->trajectory.at(1).position.x(), -1, 1e-9);
+  EXPECT_EQ(answer_to([&](auto done) { loop->set({"pattern.lines.length=80"}, done); }),
+            "live.yaml:9:11: pattern.lines: line 1 leaves the terrain at x = -39 m, y = 0 m");
+  loop->end();
+  expect_repeats(loop->saved_scenario(), pings_of(*loop));
+}
+
 TEST_F(LiveLoopTest, AChangeShowsAlsoWhereAPauseComesBeforeItsFirstPing) {
   const auto loop = started(scenario_text());
   keeper_.wait_for_pings(3);

@@ -24,6 +24,8 @@ class ConfigTest(unittest.TestCase):
                     "materials": insonify.MaterialOverride, "points": insonify.PointTarget,
                     "interferers": insonify.Interferer, "thrusters": insonify.Thruster,
                     "surface": insonify.SeaSurface,
+                    "pattern": insonify.SurveyPattern, "lines": insonify.SurveyLines,
+                    "motion_noise": insonify.MotionNoise, "ping_spans": insonify.PingSpan,
                     "trajectory": insonify.Waypoint, "motions": insonify.Motion, "view": insonify.ViewConfig}
         told = subprocess.run([COMMAND_LINE, "describe", "--markdown"], capture_output=True, text=True, check=True).stdout
         section, count = None, 0

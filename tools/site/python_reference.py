@@ -24,7 +24,7 @@ GROUPS = {
               ["SonarConfig", "ReceiverConfig", "Sampling", "presets", "preset_names"]),
     "world": ("Settings of the world", "Water, materials, trajectories and what else a scenario has.",
               ["Water", "Material", "MaterialOverride", "materials", "material_library", "SeaSurface", "PointTarget", "Waypoint",
-               "load_trajectory", "Motion", "Interferer", "Thruster", "PaperModel", "ViewConfig"]),
+               "load_trajectory", "SurveyPattern", "SurveyLines", "MotionNoise", "PingSpan", "Motion", "Interferer", "Thruster", "PaperModel", "ViewConfig"]),
     "acoustics": ("Formulas of acoustics", "", []),
     "similarity": ("Measures of similarity", "", []),
     "survey": ("Products of side-scan lines", "", []),

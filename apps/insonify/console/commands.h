@@ -24,6 +24,7 @@ void add_scenes(const Command& program);
 void add_sonars(const Command& program);
 void add_describe(const Command& program);
 void add_compare(const Command& program);
+void add_survey(const Command& program);
 void add_bench(const Command& program);
 void add_completion(const Command& program);
 void add_manual(const Command& program);

@@ -64,11 +64,13 @@ EmulatedSonar::EmulatedSonar(const EmulateOptions& options, Product product, std
       index_(sonar_of(options, scenario_, product, instrument)),
       given_(scenario_.sonars[static_cast<std::size_t>(index_)]),
       high_(options.high.empty() ? -1 : sonar_named(scenario_, options.high, "--high", product, instrument)),
-      requests_(checked_input([&] { return ScenarioRequests(scenario_); })),
       simulator_(checked_input([&] {
         const Log log = log_to_user(options.quiet);
-        return Simulator(scenario_, load_scene(scenario_, log), options.threads, {}, log);
-      })) {
+        Scene scene = load_scene(scenario_, log);
+        scenario_ = flown(std::move(scenario_), scene);
+        return Simulator(scenario_, std::move(scene), options.threads, {}, log);
+      })),
+      requests_(checked_input([&] { return ScenarioRequests(scenario_); })) {
   note_when_asked(IgnoredInterrupt::kEnds);
   simulator_.stop_when(&stop_asked());
 }

@@ -56,8 +56,8 @@ class EmulatedSonar {
   int index_;
   SonarConfig given_;
   int high_;  // -1: none.
-  ScenarioRequests requests_;
   Simulator simulator_;
+  ScenarioRequests requests_;
   WallClock::time_point start_ = WallClock::now();
   std::uint64_t number_ = 0;
   Ping ping_;

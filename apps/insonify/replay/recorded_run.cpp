@@ -82,6 +82,7 @@ RecordedScene read(const std::string& text, const std::filesystem::path& folder)
   RecordedScene found;
   Scenario scenario = parse_scenario(text, folder);
   Scene world = load_scene(scenario);
+  scenario = flown(std::move(scenario), world);
   found.simulator.emplace(scenario, std::move(world));
   found.scene = found.simulator->scene();
   if (scenario.motions.empty()) {

@@ -67,6 +67,7 @@ Simulator prepare(const RunOptions& options, const std::filesystem::path& folder
       refuse_earlier_run(folder, scenario, endings_of(options.record));
     }
     Scene scene = load_scene(scenario, log_to_user(options.quiet));
+    scenario = flown(std::move(scenario), scene);
     const std::uint64_t pings = ScenarioRequests(scenario).total_pings() / scenario.sonars.size();
     Simulator simulator(std::move(scenario), std::move(scene), options.threads, {}, log_to_user(options.quiet), pings);
     if (!options.quiet) {

@@ -98,12 +98,13 @@ std::string motion_oddity(const Scenario& scenario) {
                      given != scenario.places.end() ? given->second.text() : "");
 }
 
+// @param last_ping  Its time [s].
 std::string length_text(const std::string& whose, const Trajectory& trajectory, const SonarConfig& sonar,
-                        std::uint64_t pings) {
+                        double last_ping) {
   if (trajectory.waypoints.size() < 2) {
     return "";
   }
-  const double period = *sonar.ping_period, last_ping = static_cast<double>(pings - 1) * period;
+  const double period = *sonar.ping_period;
   const double begin = trajectory.waypoints.front().time, end = trajectory.waypoints.back().time;
   if (begin > last_ping) {
     return fmt::format(
@@ -188,12 +189,11 @@ std::vector<std::string> oddities_of(Simulator& simulator, const ScenarioRequest
 std::vector<std::string> lengths_of(const Simulator& simulator, const ScenarioRequests& requests) {
   std::vector<std::string> texts;
   const Scenario& scenario = simulator.scenario();
-  for (int i = 0; i < requests.sonar_count(); ++i) {
-    std::vector<std::string> of_sonar = {
-        length_text("", scenario.trajectory, simulator.sonar(i), requests.ping_count(i))};
+  for (int i = 0; i < requests.sonar_count() && scenario.ping_spans.empty(); ++i) {  // Spans say when pings end.
+    const double last_ping = requests.time_of(i, requests.ping_count(i) - 1);
+    std::vector<std::string> of_sonar = {length_text("", scenario.trajectory, simulator.sonar(i), last_ping)};
     for (const Motion& motion : scenario.motions) {
-      of_sonar.push_back(
-          length_text(" of " + motion.object, motion.trajectory, simulator.sonar(i), requests.ping_count(i)));
+      of_sonar.push_back(length_text(" of " + motion.object, motion.trajectory, simulator.sonar(i), last_ping));
     }
     std::ranges::remove_copy(of_sonar, std::back_inserter(texts), std::string());
   }

@@ -10,6 +10,7 @@
 #include "insonify/error.h"
 #include "insonify/printable.h"
 #include "io/scenario/check_effects.h"
+#include "pattern/swath.h"
 
 namespace insonify {
 namespace {
@@ -227,6 +228,23 @@ void check_calibrated(const Scenario& scenario, std::vector<std::string>& lines)
   }
 }
 
+// Adds a line if lines are further apart than the swath over a flat bed.
+void check_swath(const Scenario& scenario, std::vector<std::string>& lines) {
+  const SonarConfig* sonar = swath_sonar(scenario.sonars);
+  const SurveyLines* survey = scenario.pattern ? &scenario.pattern->lines : nullptr;
+  if (survey == nullptr || sonar == nullptr || !survey->altitude || !survey->spacing || survey->width == 0) {
+    return;
+  }
+  const double swath = 2 * *half_swath(*sonar, *survey->altitude + sonar->position.z());
+  if (*survey->spacing > swath) {
+    lines.push_back(located_text(
+        scenario, Error("pattern.lines", "spacing",
+                        fmt::format(" = {:.4g} m is more than the swath of {}, {:.4g} m at this altitude: there are "
+                                    "gaps between lines",
+                                    *survey->spacing, printable(sonar->name), swath))));
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> odd_settings(const Scenario& scenario) {
@@ -238,6 +256,7 @@ std::vector<std::string> odd_settings(const Scenario& scenario) {
   if (scenario.model == EchoModel::kCalibrated) {
     check_calibrated(scenario, lines);
   }
+  check_swath(scenario, lines);
   add_odd_values(scenario, lines);
   return lines;
 }
