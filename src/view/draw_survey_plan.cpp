@@ -192,9 +192,13 @@ class PlanDrawing {
   }
 
   void draw_track() {
+    double drawn = 0;  // Of the track so far [pixels].
     for (std::size_t i = 1; i < plan_.track.size(); ++i) {
-      if (plan_.pings_on_turns || i % 2 == 0) {  // Dashes where the sonars do not ping.
-        draw_line(picture_, at(plan_.track[i - 1]), at(plan_.track[i]), hairline(), kTurnInk);
+      const Point from = at(plan_.track[i - 1]), to = at(plan_.track[i]);
+      if (plan_.pings_on_turns) {
+        draw_line(picture_, from, to, hairline(), kTurnInk);
+      } else {
+        drawn = draw_dashes(from, to, drawn);
       }
     }
     for (const PlannedLine& line : plan_.lines) {
@@ -207,6 +211,21 @@ class PlanDrawing {
     for (std::size_t i = 0; i < plan_.lines.size(); ++i) {
       draw_number(plan_.lines[i], fmt::to_string(i + 1));
     }
+  }
+
+  // A piece of a dashed line of which a length is drawn already. Returns the length with it.
+  double draw_dashes(const Point& from, const Point& to, double drawn) {
+    const double length = std::hypot(to.x - from.x, to.y - from.y), dash = 0.45 * letters_.size();
+    const auto point = [&](double along) {
+      return Point{from.x + along / length * (to.x - from.x), from.y + along / length * (to.y - from.y)};
+    };
+    for (auto number = static_cast<int>(drawn / dash); number * dash < drawn + length; ++number) {
+      const double begin = std::max(0.0, number * dash - drawn), end = std::min(length, (number + 1) * dash - drawn);
+      if (number % 2 == 0 && end > begin) {
+        draw_line(picture_, point(begin), point(end), hairline(), kTurnInk);
+      }
+    }
+    return drawn + length;
   }
 
   void draw_arrow(Point tip, const PlannedLine& line) {

@@ -41,7 +41,7 @@ constexpr Mistake kMistakes[] = {
      "mosaic, "
      "scenes, sonars, "
      "describe, "
-     "compare, bench, version, "
+     "compare, survey, bench, version, "
      "completion, "
      "manual (insonify "
      "--help)"},
@@ -51,7 +51,7 @@ constexpr Mistake kMistakes[] = {
      "mosaic, "
      "scenes, sonars, "
      "describe, "
-     "compare, bench, version, "
+     "compare, survey, bench, version, "
      "completion, manual (insonify "
      "--help)"},
     {"ValueOfAFlag", "insonify run fan.yaml --force=5", 2, "insonify: --force takes no value (insonify run --help)"},
@@ -135,7 +135,7 @@ constexpr Mistake kMistakes[] = {
      "insonify: --sonar nobody: scan.yaml has no such sonar; it has around"},
     {"UnknownSection", "insonify describe sea", 2,
      "insonify: there is no section sea; there are scenario, water, materials, sonars, sampling, receiver, paper, "
-     "surface, points, interferers, thrusters, trajectory, motions, view"},
+     "surface, points, interferers, thrusters, trajectory, pattern, lines, motion_noise, ping_spans, motions, view"},
 };
 
 INSTANTIATE_TEST_SUITE_P(All, MistakeTest, testing::ValuesIn(kMistakes),

@@ -103,6 +103,7 @@ Case case_of(const std::filesystem::path& file) {
         fmt::format("{}: has model: paper; bench sampling takes scenarios of the calibrated model", file.string()));
   }
   made.scene = load_scene(made.scenario);
+  made.scenario = flown(std::move(made.scenario), made.scene);
   return made;
 }
 

@@ -49,10 +49,10 @@ void print_lines(const SurveyPlan& plan) {
 }
 
 void print_whole(const SurveyPlan& plan) {
-  say("\n{}{}: {:.5g} m on lines, {:.5g} m with turns, {} at {:.3g} m/s; steepest {:.2g} deg; {}\n\n",
+  say("\n{}{}: {:.5g} m on lines, {:.5g} m with turns, {} at {:.3g} m/s; steepest {:.3g} deg; {}\n\n",
       counted(plan.lines.size(), "line"),
       plan.spacing > 0 ? fmt::format(", {:.4g} m apart", plan.spacing) : std::string(), plan.line_length, plan.length,
-      time_text(plan.duration), plan.length / plan.duration, degrees_from_radians(plan.steepest),
+      time_text(plan.duration), plan.length / plan.duration, std::round(10 * degrees_from_radians(plan.steepest)) / 10,
       plan.pings_on_turns ? "pings on turns too" : "no pings on turns");
 }
 
@@ -61,7 +61,7 @@ void print_sonars(const SurveyPlan& plan, const Scenario& scenario) {
   for (std::size_t i = 0; i < plan.sonars.size(); ++i) {
     const PlannedSonar& sonar = plan.sonars[i];
     const auto percent = [](const std::optional<double>& share) {
-      return share ? fmt::format("{:.3g} %", 100 * *share) : "-";
+      return share ? fmt::format("{:.3g} %", std::round(1000 * *share) / 10 + 0) : "-";  // Without -0 and 1e-06.
     };
     rows.push_back({sonar.name, fmt::to_string(sonar.pings), fmt::format("{:.2g} m", sonar.ping_distance),
                     bytes_text(recording_bytes(scenario, scenario.sonars[i], sonar.pings)),
