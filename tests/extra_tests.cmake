@@ -31,7 +31,7 @@ if(TARGET insonify_python AND NOT INSONIFY_SANITIZE)
   add_test(NAME python_types
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/python/types_test.py ${PROJECT_SOURCE_DIR})
   set(python_tests python_package python_types)
-  foreach(name config recording layers plot acoustics compare same_bytes mistakes mcap_input unfinished pickle message_options from_dict pose_forms arguments survey end soundings)
+  foreach(name config recording layers plot acoustics compare same_bytes mistakes mcap_input unfinished pickle message_options from_dict pose_forms arguments survey line soundings end)
     add_test(NAME python_${name}
       COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/python/${name}_test.py $<TARGET_FILE:insonify_cli> ${PROJECT_SOURCE_DIR})
     list(APPEND python_tests python_${name})

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _insonify
-from ._insonify import Error, Ping, RecordedPings, write_png
+from ._insonify import Error, Line, Ping, RecordedPings, write_png
 
 LEAST_ANNOTATED = 240  # Height of pictures that letters fit in [pixels].
 LEAST = 16
@@ -69,17 +69,17 @@ def _repr_png_(self: Ping) -> bytes:
         return path.read_bytes()
 
 
-def _ranges(self: Ping | RecordedPings) -> npt.NDArray[np.float64]:
+def _ranges(self: Ping | RecordedPings | Line) -> npt.NDArray[np.float64]:
     """Range of the centre of each bin, float64 [bins], in metres."""
     return self.sonar.bin_ranges()
 
 
-def _azimuths(self: Ping | RecordedPings) -> npt.NDArray[np.float64]:
+def _azimuths(self: Ping | RecordedPings | Line) -> npt.NDArray[np.float64]:
     """Azimuth of the centre of each beam in the frame of the head, float64 [beams], in radians, positive to port, falling."""
     return self.sonar.azimuths()
 
 
 setattr(Ping, "_repr_png_", _repr_png_)
 for _name, _read in (("ranges", _ranges), ("azimuths", _azimuths)):
-    setattr(Ping, _name, property(_read))
-    setattr(RecordedPings, _name, property(_read))
+    for _owner in (Ping, RecordedPings, Line):
+        setattr(_owner, _name, property(_read))

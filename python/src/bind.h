@@ -49,6 +49,7 @@ void bind_geometry(py::module_& module);
 void bind_configs(py::module_& module);
 void bind_scene(py::module_& module);
 void bind_ping(py::module_& module);
+void bind_line(py::module_& module);
 void bind_simulator(py::module_& module);
 void bind_recording_writer(py::module_& module);
 void bind_recording(py::module_& module);

@@ -6,6 +6,7 @@
 #include "arguments.h"
 #include "bind.h"
 #include "bind_config.h"
+#include "flown_line.h"
 #include "held.h"
 #include "insonify/files.h"
 #include "ping_batch.h"
@@ -226,6 +227,19 @@ void bind_simulator(py::module_& module) {
            "unless something in the scene moves (a scenario's motions, a sea surface): then they share each ping. The "
            "pings are those of ping(), one after the other, byte for byte. Raises Error for the first invalid one, and "
            "KeyboardInterrupt within 64 pings of Control-C.")
+      .def(
+          "line", &fly_line, py::arg("sonar") = 0, py::arg("begin") = py::none(), py::arg("end") = py::none(),
+          py::arg("speed") = py::none(), py::kw_only(), py::arg("number") = py::none(),
+          "Flies a side-scan sonar along a line, a ping each ping_period. Returns a Line.\n\n"
+          "sonar: name or index. begin, end: positions of the vehicle in the world [m], between which it flies "
+          "straight, "
+          "looking along the line, from time 0 until before it reaches the end; None: all pings of the scenario, along "
+          "its trajectory or pattern. speed: from begin to end [m/s]; None: 1.5. number: of the first ping from begin "
+          "to "
+          "end, which seeds random numbers; None: the one after the last.\n\n"
+          "The pings are those of ping(), byte for byte; beside the arrays of the Line no memory grows with their "
+          "number. Raises Error for a sonar of another type than sss, and KeyboardInterrupt within 64 pings of "
+          "Control-C.")
       .def("_time_ping",
            [](PythonSimulator& self, const py::object& sonar_, const py::object& pose, const py::object& number) {
              const int sonar = self.sonar(sonar_);

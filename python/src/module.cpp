@@ -88,6 +88,7 @@ PYBIND11_MODULE(_insonify, module) {
   bind_configs(module);
   bind_scene(module);
   bind_ping(module);
+  bind_line(module);
   bind_simulator(module);
   bind_recording_writer(module);
   bind_recording(module);

@@ -162,7 +162,9 @@ py::dict ping_batch(PythonSimulator& self, const py::object& sonar_, const py::o
     }
   }
   Batch made(requests.size());
-  self.ping(sonar, requests, [&](std::span<const Ping> pings, std::size_t first) { made.take(pings, first); });
+  self.ping(
+      sonar, requests.size(), [&](std::size_t i, PingRequest& request) { request = requests[i]; },
+      [&](std::span<const Ping> pings, std::size_t first) { made.take(pings, first); });
   return made.arrays();
 }
 

@@ -163,25 +163,29 @@ std::shared_ptr<PythonPing> PythonSimulator::ping(int sonar, const PingRequest& 
   return ping;
 }
 
-void PythonSimulator::ping(int sonar, const std::vector<PingRequest>& requests, const Take& take) {
+std::shared_ptr<const SonarFacts> PythonSimulator::ping(int sonar, std::size_t count, const FillRequest& fill,
+                                                        const Take& take) {
   // Enough to balance the load of the threads, few enough to stop soon and to fit in memory.
   constexpr std::size_t kAtOnce = 64;
-  if (requests.empty()) {
-    return;
-  }
-  const TakenNumbers taken(next_[sonar], requests.back().number + 1);
-  locked([&] {
-    std::vector<Ping> pings(std::min(kAtOnce, requests.size()));
-    const std::span<const PingRequest> all(requests);
-    for (std::size_t first = 0; first < all.size(); first += kAtOnce) {
-      const std::size_t count = std::min(kAtOnce, all.size() - first);
-      simulator_.ping(sonar, all.subspan(first, count), std::span(pings).first(count));
+  PingRequest last;
+  fill(count - 1, last);
+  const TakenNumbers taken(next_[sonar], last.number + 1);
+  return locked([&] {
+    std::vector<Ping> pings(std::min(kAtOnce, count));
+    std::vector<PingRequest> requests(pings.size());
+    for (std::size_t first = 0; first < count; first += kAtOnce) {
+      const std::size_t block = std::min(kAtOnce, count - first);
+      for (std::size_t i = 0; i < block; ++i) {
+        fill(first + i, requests[i]);
+      }
+      simulator_.ping(sonar, std::span(requests).first(block), std::span(pings).first(block));
       const Locked locked;
-      take(std::span(pings).first(count), first);
+      take(std::span(pings).first(block), first);
       if (PyErr_CheckSignals() != 0) {  // Control-C.
         throw py::error_already_set();
       }
     }
+    return facts_[sonar];
   });
 }
 

@@ -78,9 +78,12 @@ class PythonSimulator {
   /// Makes a ping, without the interpreter's lock; one at a time.
   [[nodiscard]] std::shared_ptr<PythonPing> ping(int sonar, const PingRequest& request);
 
-  /// Makes many in blocks, and calls take(pings, index of the first of them) with the interpreter's lock.
+  /// Makes many in blocks: fills the request of each, without the interpreter's lock, and calls take(pings, index of
+  /// the first of them) with it.
+  /// @return  Facts of all of them.
+  using FillRequest = std::function<void(std::size_t index, PingRequest& request)>;
   using Take = std::function<void(std::span<const Ping> pings, std::size_t first)>;
-  void ping(int sonar, const std::vector<PingRequest>& requests, const Take& take);
+  std::shared_ptr<const SonarFacts> ping(int sonar, std::size_t count, const FillRequest& fill, const Take& take);
 
   /// Time of a ping in a C++ program that reuses its Ping [s]: to measure Python's overhead.
   [[nodiscard]] double time_ping(int sonar, const PingRequest& request);

@@ -32,7 +32,7 @@ constexpr Mistake kMistakes[] = {
      "scenes, "
      "sonars, "
      "describe, "
-     "compare, "
+     "compare, survey, "
      "bench, version, completion, "
      "manual "
      "(insonify --help)"},

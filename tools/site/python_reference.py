@@ -15,7 +15,7 @@ import sys
 # Pages, by the end of their file's name: title, what it is about, names.
 GROUPS = {
     "pings": ("Make pings", "A scenario, the simulator that runs it, and its pings.",
-              ["Simulator", "Scenario", "scene_names", "Scene", "Ping", "PingRequest", "Pose", "look_at", "load",
+              ["Simulator", "Scenario", "scene_names", "Scene", "Ping", "Line", "PingRequest", "Pose", "look_at", "load",
                "Recording", "NO_LABEL", "Error", "Warning"]),
     "recordings": ("Read, export and compare recordings", "Recordings of insonify and files of instruments.",
                    ["open", "RecordedPings", "RecordedLayer", "export", "compare"]),
