@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "insonify/error.h"
 #include "insonify/field.h"
@@ -116,8 +117,33 @@ class Rasteriser {
   LineGrid* grid_;
 };
 
+// Pings without a pause: from the first of them to before the end.
+struct Run {
+  std::size_t begin, end;
+};
+
+// Divides a line where the sonar has paused, as between the lines of a survey that does not ping on turns: the vehicle
+// goes on elsewhere. Pings that are missing now and then are no pause.
+std::vector<Run> runs_of(const std::vector<double>& times) {
+  constexpr double kPause = 5;  // Median intervals.
+  std::vector<double> intervals;
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    intervals.push_back(times[i] - times[i - 1]);
+  }
+  const auto median = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
+  std::ranges::nth_element(intervals, median);
+  std::vector<Run> runs = {{0, times.size()}};
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    if (*median > 0 && times[i] - times[i - 1] > kPause * *median) {
+      runs.back().end = i;
+      runs.push_back({i, times.size()});
+    }
+  }
+  return runs;
+}
+
 // Way from ping to ping around one [m].
-double spacing_at(const std::vector<Vec3>& places, std::size_t ping) {
+double spacing_at(std::span<const Vec3> places, std::size_t ping) {
   const Vec3 before = places[ping] - places[ping > 0 ? ping - 1 : 0];
   const Vec3 after = places[std::min(ping + 1, places.size() - 1)] - places[ping];
   return std::max(std::hypot(before.x(), before.y()), std::hypot(after.x(), after.y()));
@@ -177,10 +203,11 @@ void merge(Mosaic& mosaic, const LineGrid& grid, std::uint16_t line, MosaicRule 
   }
 }
 
-// Altitudes and places of a line's pings.
+// Altitudes, places and times of a line's pings.
 struct LinePlan {
   std::vector<double> altitudes;
   std::vector<Vec3> places;
+  std::vector<double> times;
   bool labelled = false;
 };
 
@@ -199,6 +226,7 @@ LinePlan plan_of(const MosaicLine& line, const MosaicOptions& options) {
       tracker.add(ping);
     }
     plan.places.push_back(ping.world_from_sonar.position);
+    plan.times.push_back(ping.time);
     plan.labelled = plan.labelled || !ping.instance.empty();
   }
   plan.altitudes = line.altitudes.empty() ? usable_altitudes(tracker.finish().altitude, line.sonar)
@@ -232,17 +260,24 @@ Mosaic grid_around(std::span<const MosaicLine> lines, const std::vector<LinePlan
   return mosaic;
 }
 
-void lay_line(const MosaicLine& line, const LinePlan& plan, bool normalised, const Mosaic& mosaic, LineGrid& grid) {
+// Lays a line run by run, and calls merge(grid) for each.
+template <typename Merge>
+void lay_line(const MosaicLine& line, const LinePlan& plan, bool normalised, const Mosaic& mosaic, const Merge& merge) {
   AngleGain gain(line.sonar.beam_count);
   for (std::uint64_t number = 0; number < line.ping_count && normalised; ++number) {
     gain.add(line.ping(number), line.sonar, plan.altitudes[number]);
   }
-  Rasteriser rasteriser(mosaic, grid);
-  for (std::uint64_t number = 0; number < line.ping_count; ++number) {
-    const double altitude = plan.altitudes[number];
-    Ping ping = line.ping(number);
-    lay_ping(normalised ? gain.applied(std::move(ping), line.sonar, altitude) : ping, line, altitude,
-             spacing_at(plan.places, number), mosaic, rasteriser);
+  for (const Run& run : runs_of(plan.times)) {
+    LineGrid grid(mosaic.intensity.size());
+    Rasteriser rasteriser(mosaic, grid);
+    const std::span<const Vec3> places = std::span(plan.places).subspan(run.begin, run.end - run.begin);
+    for (std::size_t number = run.begin; number < run.end; ++number) {
+      const double altitude = plan.altitudes[number];
+      Ping ping = line.ping(number);
+      lay_ping(normalised ? gain.applied(std::move(ping), line.sonar, altitude) : ping, line, altitude,
+               spacing_at(places, number - run.begin), mosaic, rasteriser);
+    }
+    merge(grid);
   }
 }
 
@@ -266,9 +301,9 @@ Mosaic make_mosaic(std::span<const MosaicLine> lines, const MosaicOptions& optio
   }
   std::vector<float> counts(cells);
   for (std::size_t line = 0; line < lines.size(); ++line) {
-    LineGrid grid(cells);
-    lay_line(lines[line], plans[line], options.normalised, mosaic, grid);
-    merge(mosaic, grid, static_cast<std::uint16_t>(line), options.rule, counts);
+    lay_line(lines[line], plans[line], options.normalised, mosaic, [&](const LineGrid& grid) {
+      merge(mosaic, grid, static_cast<std::uint16_t>(line), options.rule, counts);
+    });
   }
   return mosaic;
 }

@@ -81,6 +81,59 @@ TEST(MosaicTest, PitchMovesTheBeamsAlongTheTrack) {
   EXPECT_NEAR(middle.y(), std::sqrt(13.025 * 13.025 - std::pow(5 / std::cos(radians_from_degrees(20)), 2)), 0.05);
 }
 
+// Two passes of one recording, to the north along x = 0 and back along x = 30, 20 s later. Without the pause between,
+// the pings around it would reach 30 m along the track.
+TEST(MosaicTest, PassesOfOneRecordingAreLinesOfTheirOwn) {
+  const SonarConfig sonar = side_scan_sonar();
+  Ping ping = dark_ping(sonar);
+  std::ranges::fill(ping.intensity, 1.0F);
+  const MosaicLine north = line_of(sonar, ping, 20, 0.5, {0, 0, 5}, 0, 5);
+  const MosaicLine south = line_of(sonar, ping, 20, 0.5, {30, 9.5, 5}, 180, 5);
+  MosaicLine both = north;
+  both.ping_count = 40;
+  for (const double pause : {20.0, 0.0}) {
+    both.ping = [&](std::uint64_t number) {
+      Ping one = number < 20 ? north.ping(number) : south.ping(number - 20);
+      one.time = 0.25 * static_cast<double>(number) + (number < 20 ? 0 : pause);
+      return one;
+    };
+    const Mosaic mosaic = make_mosaic(std::array{both}, {.cell = 0.5});
+    double highest = -1e9;
+    for (int row = 0; row < mosaic.rows; ++row) {
+      for (int column = 0; column < mosaic.columns; ++column) {
+        const std::size_t at = mosaic.index(column, row);
+        highest = std::isnan(mosaic.intensity[at]) ? highest : std::max(highest, middle_of(mosaic, column, row).y());
+      }
+    }
+    // Half of a beam of 1 degree at 40 m, of 0.35 m, or the way to the next ping, 0.5 m.
+    EXPECT_NEAR(highest, pause > 0 ? 10 : 39.5, 0.51);
+  }
+}
+
+// Where the first pass sees at 12 m, 5/13 below the horizontal, the second sees at 18 m, at 15.5 degrees.
+TEST(MosaicTest, OfTwoPassesTheBestIsShownToo) {
+  const SonarConfig sonar = side_scan_sonar();
+  Ping bright = dark_ping(sonar), dim = bright;
+  std::ranges::fill(bright.intensity, 4.0F);
+  std::ranges::fill(dim.intensity, 1.0F);
+  const MosaicLine north = line_of(sonar, bright, 20, 0.5, {0, 0, 5}, 0, 5);
+  const MosaicLine south = line_of(sonar, dim, 20, 0.5, {30, 9.5, 5}, 180, 5);
+  MosaicLine both = north;
+  both.ping_count = 40;
+  both.ping = [&](std::uint64_t number) {
+    Ping one = number < 20 ? north.ping(number) : south.ping(number - 20);
+    one.time = 0.25 * static_cast<double>(number) + (number < 20 ? 0 : 20);
+    return one;
+  };
+  const Mosaic mosaic = make_mosaic(std::array{both}, {.cell = 0.5});
+  const auto level_at = [&](double x) {
+    return mosaic.intensity[mosaic.index(static_cast<int>((x - mosaic.west) / mosaic.cell),
+                                         static_cast<int>((mosaic.north - 5) / mosaic.cell))];
+  };
+  EXPECT_NEAR(level_at(12), 4, 1e-3);
+  EXPECT_NEAR(level_at(18), 1, 1e-3);
+}
+
 // A beam of 6 degrees is 0.105 r wide: 1.36 m at 13 m, 4.08 m at 39 m; within two cells of 5 cm.
 TEST(MosaicTest, FootprintsGrowWithRange) {
   SonarConfig sonar = side_scan_sonar();

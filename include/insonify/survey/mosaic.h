@@ -34,7 +34,8 @@ struct MosaicOptions {
   BottomTrackOptions bottom = {};  ///< How the bottom is tracked.
 };
 
-/// A line, read ping by ping, more than once.
+/// A line, read ping by ping, more than once. Where it pauses for more than five of its usual intervals, what follows
+/// is laid as another line is, so that a survey recorded as one may be given as one.
 struct MosaicLine {
   SonarConfig sonar;
   std::uint64_t ping_count = 0;
