@@ -36,7 +36,7 @@ if(TARGET insonify_python AND NOT INSONIFY_SANITIZE)
       COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/python/${name}_test.py $<TARGET_FILE:insonify_cli> ${PROJECT_SOURCE_DIR})
     list(APPEND python_tests python_${name})
   endforeach()
-  foreach(example first_ping fly_a_square dataset gym_environment point_cloud pictures speed)
+  foreach(example first_ping fly_a_square dataset gym_environment point_cloud pictures mosaic speed)
     add_test(NAME python_examples.${example}
       COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/python/examples_test.py ${example} ${PROJECT_SOURCE_DIR})
     list(APPEND python_tests python_examples.${example})

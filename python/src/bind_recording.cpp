@@ -11,6 +11,7 @@
 #include "held.h"
 #include "insonify/files.h"
 #include "insonify/printable.h"
+#include "items.h"
 #include "ping_tables.h"
 #include "python_recording.h"
 #include "python_simulator.h"
@@ -19,18 +20,9 @@
 namespace insonify::python {
 namespace {
 
-std::uint64_t number_from(const PythonRecording& recording, py::ssize_t number) {
-  const auto count = static_cast<py::ssize_t>(recording.ping_count());
-  const py::ssize_t from_start = number < 0 ? number + count : number;
-  if (from_start < 0 || from_start >= count) {
-    throw py::index_error(fmt::format("there is no ping {}; the recording has {}", number, count));
-  }
-  return static_cast<std::uint64_t>(from_start);
-}
-
 std::shared_ptr<PythonPing> recorded_ping(const std::shared_ptr<PythonRecording>& recording, py::ssize_t number) {
   auto ping = std::make_shared<PythonPing>();
-  static_cast<Ping&>(*ping) = recording->pings.ping(number_from(*recording, number));
+  static_cast<Ping&>(*ping) = recording->pings.ping(static_cast<std::uint64_t>(number));
   ping->facts = recording->known();
   ping->source = recording;
   return ping;
@@ -38,26 +30,8 @@ std::shared_ptr<PythonPing> recorded_ping(const std::shared_ptr<PythonRecording>
 
 // rec[3] is a ping, rec[1:9:2] a list of pings.
 py::object recorded_item(const std::shared_ptr<PythonRecording>& recording, const py::object& number) {
-  if (py::isinstance<py::slice>(number)) {
-    py::ssize_t start = 0, stop = 0, step = 0, length = 0;
-    if (!number.cast<py::slice>().compute(static_cast<py::ssize_t>(recording->ping_count()), &start, &stop, &step,
-                                          &length)) {
-      throw py::error_already_set();
-    }
-    py::list pings;
-    for (py::ssize_t i = 0; i < length; ++i) {
-      pings.append(recorded_ping(recording, start + i * step));
-    }
-    return pings;
-  }
-  if (PyIndex_Check(number.ptr()) == 0) {
-    throw py::type_error("the number of a ping must be a whole number or a slice, not " + shown(number));
-  }
-  const py::ssize_t index = PyNumber_AsSsize_t(number.ptr(), PyExc_IndexError);
-  if (index == -1 && PyErr_Occurred() != nullptr) {
-    throw py::error_already_set();
-  }
-  return py::cast(recorded_ping(recording, index));
+  return items_of(number, static_cast<py::ssize_t>(recording->ping_count()), "the recording",
+                  [&](py::ssize_t index) { return recorded_ping(recording, index); });
 }
 
 py::dtype dtype_of(NumberType type) {

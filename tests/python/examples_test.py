@@ -62,6 +62,15 @@ def check_speed(_, printed):
     assert printed.count(" beams x ") == 2 and printed.count("1 beam x") == 1, printed
 
 
+def check_mosaic(folder, printed):
+    # 24 m in steps of 1.5 m/s x 0.2 s; both swaths of 2 x 29.4 m overlap.
+    assert "2 lines of 80 pings, 1000 bins to a side, altitude 6.0" in printed, printed
+    # The bed comes back within the pulse and the beam after the shadow's end, here 2 dB down: within a tenth.
+    height = float(re.search(r"the container is ([\d.]+) m high", printed).group(1))
+    assert abs(height - 2.6) < 0.1, printed
+    assert (folder / "mosaic.png").stat().st_size > 20000
+
+
 def check_gym_by_signature(source):
     """The environment is as gymnasium's API has it, with that package or without."""
     module = runpy.run_path(str(source / "examples/python/gym_environment.py"))
