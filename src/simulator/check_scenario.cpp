@@ -7,9 +7,9 @@
 
 #include "insonify/error.h"
 #include "insonify/scenario.h"
+#include "pattern/swath.h"
 #include "receiver/array/steering.h"
 #include "simulator/checks.h"
-#include "pattern/swath.h"
 
 namespace insonify {
 namespace {
@@ -202,34 +202,42 @@ void check_view(const ViewConfig& view) {
   }
 }
 
+// What the paper model does not have.
+void check_calibrated_only(const Scenario& scenario) {
+  if (scenario.model != EchoModel::kPaper) {
+    return;
+  }
+  if (!scenario.points.empty()) {
+    throw Error("", "points", " need model = calibrated");
+  }
+  if (!scenario.interferers.empty()) {
+    throw Error("", "interferers", " need model = calibrated");
+  }
+  if (!scenario.thrusters.empty()) {
+    throw Error("", "thrusters", " need model = calibrated");
+  }
+  if (scenario.mutual_interference) {
+    throw Error("", "mutual_interference", " needs model = calibrated");
+  }
+  if (scenario.receiver.field || scenario.receiver.counts) {
+    throw Error("receiver", scenario.receiver.field ? "field" : "counts", " needs model = calibrated");
+  }
+  if (scenario.motion_in_ping) {
+    throw Error("", "motion_in_ping", " needs model = calibrated");
+  }
+  if (scenario.rough_mirrors) {
+    throw Error("", "rough_mirrors", " needs model = calibrated");
+  }
+  if (scenario.random_walks > 0) {
+    throw Error("", "random_walks", " needs model = calibrated");
+  }
+}
+
 }  // namespace
 
 void Scenario::validate() const {
   check_fields("", *this);
-  if (model == EchoModel::kPaper && !points.empty()) {
-    throw Error("", "points", " need model = calibrated");
-  }
-  if (model == EchoModel::kPaper && !interferers.empty()) {
-    throw Error("", "interferers", " need model = calibrated");
-  }
-  if (model == EchoModel::kPaper && !thrusters.empty()) {
-    throw Error("", "thrusters", " need model = calibrated");
-  }
-  if (model == EchoModel::kPaper && mutual_interference) {
-    throw Error("", "mutual_interference", " needs model = calibrated");
-  }
-  if (model == EchoModel::kPaper && (receiver.field || receiver.counts)) {
-    throw Error("receiver", receiver.field ? "field" : "counts", " needs model = calibrated");
-  }
-  if (model == EchoModel::kPaper && motion_in_ping) {
-    throw Error("", "motion_in_ping", " needs model = calibrated");
-  }
-  if (model == EchoModel::kPaper && rough_mirrors) {
-    throw Error("", "rough_mirrors", " needs model = calibrated");
-  }
-  if (model == EchoModel::kPaper && random_walks > 0) {
-    throw Error("", "random_walks", " needs model = calibrated");
-  }
+  check_calibrated_only(*this);
   check_walks(*this);
   if (model == EchoModel::kPaper && ground_truth == GroundTruth::kFull) {
     throw Error("", "ground_truth", " = full needs model = calibrated");

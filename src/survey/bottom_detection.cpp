@@ -210,4 +210,15 @@ Vec3 position_of(const Sounding& sounding, const Pose& world_from_sonar, double 
   return world_from_sonar * Vec3(range * std::cos(azimuth), range * std::sin(azimuth), 0);
 }
 
+Vec3 position_of(const Sounding& sounding, const Pose& world_from_sonar, const SoundSpeedProfile& profile,
+                 double surface_level, double shown_speed) {
+  const double azimuth = double{sounding.azimuth};
+  const Vec3 launch = world_from_sonar.orientation * Vec3(std::cos(azimuth), std::sin(azimuth), 0);
+  const double across = launch.head<2>().norm(), depth = surface_level - world_from_sonar.position.z();
+  const RayPoint at = profile.after_time(depth, std::atan2(-launch.z(), across), double{sounding.range} / shown_speed);
+  const double ahead = across > 0 ? at.distance / across : 0;
+  return {world_from_sonar.position.x() + ahead * launch.x(), world_from_sonar.position.y() + ahead * launch.y(),
+          surface_level - at.depth};
+}
+
 }  // namespace insonify

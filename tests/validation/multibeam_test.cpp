@@ -267,6 +267,37 @@ TEST(MultibeamErrorTest, ErrorsAreAsLargeAsStated) {
   EXPECT_LT(outside, 0.05 * found);
 }
 
+// Water that becomes slower with depth bends rays down. A level bed is level when it is placed by the true profile; by
+// a uniform one at the speed of the sonar it has a smile: at the launch angle of a beam the straight ray ends where
+// sound of that time would have come in uniform water.
+TEST(MultibeamProfileTest, TheWrongProfileSmiles) {
+  SonarConfig sonar = crossed_lines();
+  sonar.bin_count = 1500;
+  sonar.max_range = 36;
+  Scenario scenario = with_arrays(sonar);
+  scenario.surface = SeaSurface{.level = 2};
+  scenario.water.sound_speed.reset();
+  scenario.water.profile = {{.depth = 0, .sound_speed = 1520}, {.depth = 20, .sound_speed = 1480}};
+  const SoundSpeedProfile profile(scenario.water.profile);
+  const Ping ping = ping_at(scenario, seabed_at(-kHeight, diffuse(-21)));
+  const double speed = profile.speed_at(2);
+  double smile = 0;
+  for (const int beam : {6, 18, 30, 43, 54}) {
+    const Sounding& sounding = ping.soundings[static_cast<std::size_t>(beam)];
+    ASSERT_TRUE(sounding.found()) << beam;
+    const Vec3 bent = position_of(sounding, ping.world_from_sonar, profile, 2, speed);
+    const double azimuth = static_cast<double>(sounding.azimuth);
+    const double footprint = kHeight * std::abs(std::sin(azimuth)) / std::pow(std::cos(azimuth), 2) * 2 * kDegree;
+    EXPECT_NEAR(bent.z(), -kHeight, 0.02 + 0.06 * footprint) << beam;
+    const auto ray = profile.eigenray(2, 2 + kHeight, std::abs(bent.y()));
+    ASSERT_TRUE(ray.has_value());
+    const double straight = -speed * ray->time * std::sin(ray->launch_angle);
+    EXPECT_NEAR(position_of(sounding, ping.world_from_sonar).z(), straight, 0.02 + 0.06 * footprint) << beam;
+    smile = std::max(smile, straight + kHeight);
+  }
+  EXPECT_GT(smile, 0.08);
+}
+
 // The vehicle's attitude is taken out where the sonar is stabilised: soundings lie where they would without it.
 TEST(MultibeamStabilisationTest, HoldsTheSwath) {
   SonarConfig sonar = crossed_lines();

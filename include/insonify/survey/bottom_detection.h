@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "insonify/acoustics/sound_speed_profile.h"
 #include "insonify/ping.h"
 #include "insonify/sonar_config.h"
 #include "insonify/sounding.h"
@@ -54,5 +55,11 @@ class BottomDetector {
 /// @param world_from_sonar  Pose of the beams: Ping::world_from_sonar.
 /// @param range_scale       True range / range shown: true sound speed / assumed.
 [[nodiscard]] Vec3 position_of(const Sounding& sounding, const Pose& world_from_sonar, double range_scale = 1);
+
+/// The same along the ray that a profile bends, which need not be the true one.
+/// @param surface_level  Height of the surface, from which the profile's depths count [m].
+/// @param shown_speed    Sound speed by which the sonar shows ranges: SonarConfig::assumed_sound_speed [m/s].
+[[nodiscard]] Vec3 position_of(const Sounding& sounding, const Pose& world_from_sonar, const SoundSpeedProfile& profile,
+                               double surface_level, double shown_speed);
 
 }  // namespace insonify
