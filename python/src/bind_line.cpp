@@ -14,7 +14,7 @@ namespace {
 using LineClass = py::class_<FlownLine, std::shared_ptr<FlownLine>>;
 
 py::array_t<double> doubles_of(const std::vector<double>& values) {
-  return {static_cast<py::ssize_t>(values.size()), values.data()};
+  return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
 }
 
 py::array_t<double> poses_of(const FlownLine& line) {
