@@ -248,6 +248,9 @@ if(INSONIFY_BUILD_APPS)
   add_test(NAME side_scan_files
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/apps/side_scan_files_test.py $<TARGET_FILE:insonify_cli>)
   set_tests_properties(side_scan_files PROPERTIES TIMEOUT 120)
+  add_test(NAME multibeam_files
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/apps/multibeam_files_test.py $<TARGET_FILE:insonify_cli>)
+  set_tests_properties(multibeam_files PROPERTIES TIMEOUT 120)
   # Emulated instruments as a driver meets them.
   foreach(test oculus oculus_clients ping360 ping_streamers sonar3d15)
     add_test(NAME emulate_${test}

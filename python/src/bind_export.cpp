@@ -85,6 +85,8 @@ void take_option(const std::string& name, py::handle value, ExportOptions& optio
     take_start(py::reinterpret_borrow<py::object>(value), options);
   } else if (name == "origin") {
     take_origin(value, options);
+  } else if (name == "uncertainty") {
+    from_python(value, name, 1, options.uncertainty);
   } else if (name == "rate") {
     from_python(value, name, 1, options.video.rate);
   } else if (name == "height") {
@@ -155,8 +157,8 @@ void bind_export(py::module_& module) {
   module.def(
       "export", &export_all, py::arg("recordings"), py::arg("file"),
       "export(recordings, file, **options)\n\nWrites recordings of one run, one per sonar, to a file in the format of "
-      "its ending: .mcap (ROS 2 messages), .bag (of ROS 1), .npz, .zarr, .xtf and .jsf (side-scan sonars), .mp4 or\n"
-      ".gif, as `insonify export`.\n\n"
+      "its ending: .mcap (ROS 2 messages), .bag (of ROS 1), .npz, .zarr, .xtf and .jsf (side-scan sonars), .xyz, .gsf "
+      "and .kmall (multibeams), .mp4 or .gif, as `insonify export`.\n\n"
       "recordings: a path or a RecordedPings, or a list of them; the path of an MCAP file includes all of its sonars. "
       "Options: replace (False: an error where the file is there). compress (True), of .npz. levels (low, high) in dB "
       "as on the colour bar, of videos, .mcap and .bag; None fits. colour_map (or color_map). annotations. rate, "
@@ -164,7 +166,8 @@ void bind_export(py::module_& module) {
       "pixels, fan_rate (fan pictures a second at most, 0 for none; 2 for scanning sonars unless given), world_frame "
       "and start (the run's time 0, \"2026-06-01T10:00:00Z\" or a datetime with its time zone), of .mcap and .bag; "
       "start "
-      "and origin (latitude and longitude of the world's origin in degrees), of .xtf and .jsf.\n\n"
+      "and origin (latitude and longitude of the world's origin in degrees), of .xtf, .jsf, .gsf and .kmall, origin of "
+      ".xyz too. uncertainty (False), a column of .xyz.\n\n"
       "Warns (insonify.Warning) of values above the highest level of .mcap and .bag, which are clipped. Raises Error "
       "with the path for an unknown extension, several sonars in a video, an existing file, a full disk, and and a "
       "video without ffmpeg; KeyboardInterrupt on Control-C, which leaves no file.");

@@ -358,7 +358,7 @@ def draw_polar(ping: Ping, levels: Sequence[float] | None = ..., colour_map: str
                counts: bool = ...) -> npt.NDArray[np.uint8]: ...
 def export(recordings: _Path | RecordedPings | Sequence[_Path | RecordedPings], file: _Path, *, replace: bool = ...,
            compress: bool = ..., levels: Sequence[float] | None = ..., start: str | datetime.datetime | None = ...,
-           origin: Sequence[float] | None = ...,
+           origin: Sequence[float] | None = ..., uncertainty: bool = ...,
            rate: float | None = ..., height: int = ..., colour_map: str = ..., color_map: str = ...,
            annotations: bool = ..., bits: int = ..., raw: bool = ..., low_db: float | None = ...,
            high_db: float | None = ..., strong_share: float = ..., fan_height: int = ..., fan_rate: float | None = ...,

@@ -303,7 +303,7 @@ class SideScanFilesTest(unittest.TestCase):
                 (("out/low.h5", "-o", "a.xtf", "--origin", "48"),
                  "--origin: 48 must be a latitude and a longitude in degrees, such as 48.45,-68.83 (insonify export --help)"),
                 (("out/low.h5", "-o", "a.npz", "--origin", "48,10"),
-                 "--origin has no effect on .npz, only on .xtf, .jsf")):
+                 "--origin has no effect on .npz, only on .xtf, .jsf, .xyz, .gsf, .kmall")):
             done = insonify("export", *arguments)
             self.assertEqual((done.returncode, done.stderr), (2, f"insonify: {message}\n"))
 

@@ -145,7 +145,7 @@ class ExportTest(unittest.TestCase):
     def test_errors_name_the_file_and_the_reason(self):
         for status, words, message in (
             (2, ["out/around.h5", "-o", "run.tsv"],
-             "run.tsv: its ending must be .mcap, .bag, .npz, .zarr, .xtf, .jsf, .mp4 or .gif, which says the format"),
+             "run.tsv: its ending must be .mcap, .bag, .npz, .zarr, .xtf, .jsf, .xyz, .gsf, .kmall, .mp4 or .gif, which says the format"),
             (2, ["out/around.h5", "out/büg.h5", "-o", "two.gif"],
              "two.gif: a video shows one sonar, and there are 2: around, büg"),
             (2, ["out/around.h5", "out/around.h5", "-o", "x.npz"],

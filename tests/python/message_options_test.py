@@ -202,7 +202,7 @@ class MessageOptionsTest(unittest.TestCase):
         self.assertEqual(self.insonify(*export, "x.npz", "--fan-rate", "2", status=2),
                          "insonify: --fan-rate has no effect on .npz, only on .mcap, .bag\n")
         self.assertEqual(self.insonify(*export, "x.gif", "--start", "2026-06-01T10:00:00Z", status=2),
-                         "insonify: --start has no effect on .gif, only on .mcap, .bag, .xtf, .jsf\n")
+                         "insonify: --start has no effect on .gif, only on .mcap, .bag, .xtf, .jsf, .gsf, .kmall\n")
         self.assertEqual(self.insonify(*export, "x.mcap", "--start", "2026-06-01T10:00:00", status=2),
                          "insonify: --start: 2026-06-01T10:00:00 must be a time with its zone, such as 2026-06-01T10:00:00Z "
                          "(insonify export --help)\n")
