@@ -33,6 +33,13 @@ bool depth_is_known(const Scenario& scenario) {
   return !scenario.pattern || !scenario.surface;
 }
 
+void check_profile_of(const Scenario& scenario) {
+  if (scenario.primary == PrimaryEchoes::kRaster && !scenario.water.profile.empty()) {
+    throw Error("", "primary", " = raster draws along straight rays; with water.profile it must be auto or rays",
+                {"water.profile"});
+  }
+}
+
 void check_ping_period(const std::string& object, const SonarConfig& sonar, const Water& water) {
   const double least = sonar.shortest_ping_period(sonar.assumed_sound_speed.value_or(water.true_sound_speed()));
   if (sonar.ping_period.has_value() && *sonar.ping_period < least) {
