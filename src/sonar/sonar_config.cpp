@@ -81,9 +81,11 @@ Sampling SonarConfig::sampling_by_rule() const {
   constexpr int kLeastRows = 128, kMostRows = 1024, kTogether = 16;  // Rows of a packet of rays.
   constexpr double kTallestRow = 2.0 / 70;  // Tangent from row to row, with which 170 degrees have some 800.
   const double columns = std::ceil(bearings().covered() / (beam_count * kColumn) - 1e-9);
-  // The bins of a multibeam are crossed from column to column; its rows sample the lobes along the track.
+  // The bins of a multibeam are crossed from column to column; its rows sample the lobes along the track. A side-scan
+  // sonar looks along the bed, where a row covers many bins.
+  const double rows_per_bin = is_multibeam() ? 0 : is_side_scan() ? 2 : 0.5;
   const double rows =
-      is_multibeam() ? 0 : std::max(0.5 * bin_count, 2 * std::tan(0.5 * elevation_aperture) / kTallestRow);
+      std::max(rows_per_bin * bin_count, is_multibeam() ? 0 : 2 * std::tan(0.5 * elevation_aperture) / kTallestRow);
   const int packets = static_cast<int>(std::ceil(std::min<double>(rows, kMostRows) / kTogether));
   Sampling chosen = sampling;
   chosen.columns_per_beam =
