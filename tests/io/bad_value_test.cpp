@@ -50,7 +50,7 @@ const BadScenario kCases[] = {
 
     // Words.
     {"UnknownType", "world: floor.obj\nsonars:\n  - type: sas\n",
-     "scenario.yaml:3:5: sonars[0].type = \"sas\" must be fls, msis or sss"},
+     "scenario.yaml:3:5: sonars[0].type = \"sas\" must be fls, msis, sss or mbes"},
     {"SidesAreTwo", "world: floor.obj\nsonars:\n  - type: sss\n    azimuth_aperture_deg: 1\n    beam_count: 3\n",
      "scenario.yaml:5:5: sonars[0].beam_count = 3 must be 2 for type sss, one beam to port and one to starboard"},
     {"SidesAreNarrow", "world: floor.obj\nsonars:\n  - type: sss\n",
