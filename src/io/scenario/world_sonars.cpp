@@ -216,10 +216,9 @@ bool add_stonefish_sonars(YamlValue& scenario, const fs::path& path, std::span<c
   const StonefishSonars found =
       load_stonefish_sonars(file, is_given(scenario, "trajectory"), arguments_with(scenario, settings));
   if (found.sonars.empty()) {
-    throw Error(
-        fmt::format("{}: has no sensor of type fls, msis or sss; list sonars in a scenario that says world: {}{}",
-                    file.string(), printable(world, kLongestName),
-                    found.missing.empty() ? "" : "; missing parts may be the cause: " + found.missing));
+    throw Error(fmt::format("{}: has no sensor of a sonar; list sonars in a scenario that says world: {}{}",
+                            file.string(), printable(world, kLongestName),
+                            found.missing.empty() ? "" : "; missing parts may be the cause: " + found.missing));
   }
   YamlValue sonars{.kind = Kind::kList, .place = found.sonars.front().place};
   std::vector<std::string> names;

@@ -229,7 +229,7 @@ TEST_F(StonefishSonarsTest, AStonefishScenarioIsOneOfOurs) {
 
 TEST_F(StonefishSonarsTest, AScenarioWithoutSonarsIsTold) {
   EXPECT_EQ(without_folder(message_of([&] { sonars(ball("a", "0 0 0")); })),
-            "pool.scn: has no sensor of type fls, msis or sss; list sonars in a scenario that says world: pool.scn");
+            "pool.scn: has no sensor of a sonar; list sonars in a scenario that says world: pool.scn");
   EXPECT_THAT(without_folder(message_of([&] { sonars("<include file='gone.scn'/>"); })),
               HasSubstr("; missing parts may be the cause: pool.scn:2:1: <include> 'gone.scn' not found in the "
                         "scenario's folder"));
