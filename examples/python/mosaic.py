@@ -43,12 +43,14 @@ def main(folder: pathlib.Path) -> None:
     low, high = np.percentile(levels[seen], (1, 99))
     insonify.write_png(folder / "mosaic.png", (255 * np.clip((levels - low) / (high - low), 0, 1)).astype(np.uint8))
 
-    # Abeam of the container, the shadow ends where the bed comes back. Its far upper edge casts that end.
+    # Abeam of the container, the shadow ends where port is as bright again as starboard, which has no container. The
+    # container's far upper edge casts that end.
     middle = len(out) // 2
-    abeam = insonify.to_db(out.port[middle - 8:middle + 9].mean(axis=0)) + 30 * np.log10(out.ranges)
-    behind = out.ranges > math.hypot(FAR, ALTITUDE)
-    dark = behind & (abeam < np.median(abeam[out.ranges < math.hypot(NEAR, ALTITUDE)]) - 6)
-    end = out.ranges[dark].max()
+    abeam = np.s_[middle - 8 : middle + 9]
+    smooth = np.ones(21) / 21
+    port, starboard = (np.convolve(side[abeam].mean(axis=0), smooth, "same") for side in (out.port, out.starboard))
+    begin = np.searchsorted(out.ranges, math.hypot(FAR, ALTITUDE)) + len(smooth)
+    end = out.ranges[begin + np.argmax(port[begin:] > 0.5 * starboard[begin:])]
     height = survey.height_from_shadow(ALTITUDE, math.hypot(FAR, ALTITUDE), end)
     print(f"The shadow ends at a slant range of {end:.2f} m: the container is {height:.2f} m high, in truth {HEIGHT} m")
 

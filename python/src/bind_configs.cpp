@@ -138,8 +138,8 @@ py::object make_sonar(const py::dict& given) {
 
 void bind_configs(py::module_& module) {
   add_receivers_and_sonars(module);
-  ConfigClass<Water>(module, "Water", about("water"));
   ConfigClass<ProfilePoint>(module, "ProfilePoint", "A point of a sound-speed profile.");
+  ConfigClass<Water>(module, "Water", about("water"));
   ConfigClass<PaperModel>(module, "PaperModel", about("paper"));
   ConfigClass<MaterialOverride>(module, "MaterialOverride", about("materials"));
   add_materials(module);

@@ -22,7 +22,7 @@ from damage import damaged
 from whole_inputs import whole_inputs
 
 SECONDS, BYTES = 20, 4_000_000_000
-FILE_NAME = re.compile(r"[\w.-]+\.(yaml|sdf|obj|ply|stl|dae|gltf|glb|scn|png|asc|tif|bag|csv|tum|kitti|h5|mcap|np[yz]|raw|bin|xtf|jpg|pgm)\b")
+FILE_NAME = re.compile(r"[\w.-]+\.(yaml|sdf|obj|ply|stl|dae|gltf|glb|scn|png|asc|tif|bag|csv|svp|asvp|tum|kitti|h5|mcap|np[yz]|raw|bin|xtf|jpg|pgm)\b")
 
 
 def run(command, folder, limited=True):

@@ -67,7 +67,7 @@ class LineTest(unittest.TestCase):
             np.testing.assert_array_equal(line.intensity[index], ping.intensity)
             np.testing.assert_array_equal(line[index].intensity, ping.intensity)
             self.assertEqual((line[index].number, line[index].time), (7 + index, 0.25 * index))
-        self.assertEqual(sim.line(begin=(0, 0, 3), end=(3, 0, 3))[0].number, 10)  # The one after the last, 9.
+        self.assertEqual(sim.line(begin=(0, 0, 3), end=(3, 0, 3))[0].number, 17)  # The one after the last, 16.
         np.testing.assert_array_equal(line.port, line.intensity[:, :, 0])
         self.assertTrue(np.shares_memory(line.starboard, line.intensity))
 
@@ -81,7 +81,7 @@ class LineTest(unittest.TestCase):
             line[8]
 
     def test_flies_a_pattern_as_the_command_line_does(self):
-        pattern = {"lines": {"center": [0, 0], "length": 6, "width": 4, "spacing": 4, "altitude": 3, "speed": 2, "turns": "skip"},
+        pattern = {"lines": {"center": [0, 0], "length": 6, "width": 8, "spacing": 4, "altitude": 3, "speed": 2, "turns": "skip"},
                    "motion_noise": {"roll_deg": 2, "heave": 0.1}}
         with tempfile.TemporaryDirectory() as folder:
             world = pathlib.Path(folder, "floor.obj")
@@ -128,7 +128,7 @@ print(len(line), line.intensity.nbytes, 1024 * (peak() - before))
             (lambda: sim.line(begin=(0, 0, 3)), "end of the line is missing"),
             (lambda: sim.line(end=(0, 0, 3)), "begin of the line is missing"),
             (lambda: sim.line(begin=(0, 0, 3), end=(0, 0, 3)), "end of a line must differ from its begin"),
-            (lambda: sim.line(begin=(0, 0, 3), end=(1, 0, 3), speed=0), "speed = 0 m/s must be greater than 0 and at most 50 m/s"),
+            (lambda: sim.line(begin=(0, 0, 3), end=(1, 0, 3), speed=0), "speed = 0 m/s must be greater than 0, at most 50 m/s"),
             (lambda: sim.line(begin=(0, 0, 3), end=(math.nan, 0, 3)), "end[0] = nan m must be from -10000000 to 10000000 m"),
             (lambda: sim.line(speed=2), "speed is that of a line from begin to end; the scenario's pings have their own"),
             (lambda: sim.line(number=2), "number is that of a line from begin to end; the scenario's pings have their own"),
