@@ -15,8 +15,9 @@
 namespace insonify {
 namespace {
 
-constexpr double kLeastCosine = 0.08;  // Beams within some 5 degrees of the horizontal, or above it, see no bottom.
-constexpr float kLeastContrast = 10;   // Of a peak, re the median of the beam's smoothed intensities.
+constexpr double kLeastCosine = 0.08;   // Beams within some 5 degrees of the horizontal, or above it, see no bottom.
+constexpr float kLeastContrast = 10;    // Of a peak, re the median of the beam's smoothed intensities.
+constexpr float kLeastBesides = 0.01F;  // Of a peak, re the beams before: less is the side lobes' of other beams.
 constexpr double kLeastDepth = 0.6, kGreatestDepth = 1.7;  // From a beam to the next ones, re the depth before.
 constexpr double kBeyondRing = 1.06;  // Beams whose bottom is so far beyond the echo straight below have it apart.
 constexpr std::size_t kBefore = 5;    // Beams whose median depth is that before.
@@ -65,26 +66,32 @@ float median_of(std::span<const float> values, std::vector<float>& scratch) {
   return *middle;
 }
 
-// Depths below the sonar of the beams found last.
-class Depths {
+// Median of the values of the beams found last.
+class Latest {
  public:
-  void add(double depth) {
-    depths_.push_back(depth);
-    if (depths_.size() > kBefore) {
-      depths_.erase(depths_.begin());
+  void add(double value) {
+    values_.push_back(value);
+    if (values_.size() > kBefore) {
+      values_.erase(values_.begin());
     }
   }
   [[nodiscard]] double median() const {  // 0 without any.
-    if (depths_.empty()) {
+    if (values_.empty()) {
       return 0;
     }
-    std::vector<double> sorted = depths_;
+    std::vector<double> sorted = values_;
     std::ranges::sort(sorted);
     return sorted[sorted.size() / 2];
   }
 
  private:
-  std::vector<double> depths_;
+  std::vector<double> values_;
+};
+
+// What was found in the beams before.
+struct Before {
+  Latest depths;  // Below the sonar [m].
+  Latest levels;  // Beam values.
 };
 
 }  // namespace
@@ -165,11 +172,11 @@ void BottomDetector::detect(const Ping& ping, std::vector<Sounding>& soundings) 
     soundings[beam].azimuth = static_cast<float>(azimuth);
   }
   Snippet ring;
-  const auto detect_beam = [&](int beam, Depths& depths) {
+  const auto detect_beam = [&](int beam, Before& before) {
     if (cosines[beam] < kLeastCosine || first_bin_ == last_bin_) {
       return;
     }
-    const double depth = depths.median();
+    const double depth = before.depths.median();
     const std::span<const float> intensity = rows.of(rows.intensity, beam);
     // Averages over a part of the footprint, and bridges fades: speckle must not tear an echo apart.
     const int footprint = this->footprint(beam, depth, cosines[beam]);
@@ -178,7 +185,7 @@ void BottomDetector::detect(const Ping& ping, std::vector<Sounding>& soundings) 
     const BeamRow row{intensity, smoothed, rows.of(rows.phase, beam), resolution_, footprint / 2};
     const Snippet gate = this->gate(depth, cosines[beam]);
     const bool to_port = beams_.centres[beam] > 0;
-    const float least = kLeastContrast * median;
+    const float least = std::max(kLeastContrast * median, kLeastBesides * static_cast<float>(before.levels.median()));
     std::optional<BeamEcho> echo = find_echo(row, gate, least, to_port);
     if (echo && echo->snippet.begin < ring.end && depth / cosines[beam] > kBeyondRing * range_of(ring.end)) {
       const auto beyond = find_echo(row, {std::max(gate.begin, ring.end), gate.end}, least, to_port);
@@ -186,7 +193,8 @@ void BottomDetector::detect(const Ping& ping, std::vector<Sounding>& soundings) 
     }
     if (echo) {
       set(soundings[beam], intensity, *echo);
-      depths.add(double{soundings[beam].range} * cosines[beam]);
+      before.depths.add(double{soundings[beam].range} * cosines[beam]);
+      before.levels.add(double{soundings[beam].intensity});
       if (depth == 0) {
         ring = {echo->snippet.begin, echo->snippet.end + smooth_};
       }
@@ -194,9 +202,9 @@ void BottomDetector::detect(const Ping& ping, std::vector<Sounding>& soundings) 
   };
 
   const int middle = static_cast<int>(std::ranges::max_element(cosines) - cosines.begin());
-  Depths below;
+  Before below;
   detect_beam(middle, below);
-  Depths to_port = below, to_starboard = below;
+  Before to_port = below, to_starboard = below;
   for (int beam = middle - 1; beam >= 0; --beam) {
     detect_beam(beam, to_port);
   }

@@ -7,7 +7,6 @@ multibeam_files_test.py INSONIFY
 
 import math
 import os
-import resource
 import struct
 import subprocess
 import sys
@@ -296,7 +295,7 @@ class MultibeamFilesTest(unittest.TestCase):
             level = LEVEL + 10 * math.log10(sounding["intensity"]) - 30 * math.log10(reach)
             self.assertLess(level - 4, values[6][beam])
             self.assertLess(values[6][beam], level)
-        self.assertEqual(centre - 1, angles.index(min(angles)))
+        self.assertLess(angles[centre - 1] - min(angles), 0.01)  # Two beams are equally near to the vertical.
 
     def test_a_gsf_ping_without_bottom_is_to_be_ignored(self):
         self.export("blind/swath.h5", "-o", "blind.gsf", "--origin=0,0")
@@ -421,16 +420,6 @@ class MultibeamFilesTest(unittest.TestCase):
         self.assertEqual(done.returncode, 1)
         self.assertEqual(done.stderr, "insonify: a.xyz: there is no sounding to write: no beam found the bottom\n")
         self.assertFalse(os.path.exists("a.xyz"))
-
-    def test_a_full_disk_leaves_nothing(self):
-        def full():
-            resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))
-
-        for ending in ("xyz", "gsf", "kmall"):
-            done = insonify("export", "line/swath.h5", "-o", f"full.{ending}", "--origin=1,2", preexec_fn=full)
-            self.assertNotEqual(done.returncode, 0)
-            self.assertIn(f"full.{ending}: cannot create: ", done.stderr)
-        self.assertEqual([name for name in os.listdir() if name.startswith("full")], [])
 
 
 if __name__ == "__main__":

@@ -21,7 +21,7 @@ BASH = BUILD / "share/bash-completion/completions/insonify"
 ZSH = BUILD / "share/zsh/site-functions/_insonify"
 FISH = BUILD / "share/fish/vendor_completions.d/insonify.fish"
 PAGE = BUILD / "share/man/man1/insonify.1"
-COMMANDS = {"run", "serve", "emulate", "bridge", "draw", "replay", "info", "export", "mosaic", "scenes", "sonars", "describe", "compare", "bench",
+COMMANDS = {"run", "serve", "emulate", "bridge", "draw", "replay", "info", "export", "mosaic", "scenes", "sonars", "describe", "compare", "survey", "bench",
             "version", "completion", "manual"}
 ENVIRONMENT = {**os.environ, "PATH": f"{BUILD}:{os.environ['PATH']}"}
 
@@ -84,7 +84,7 @@ class BashCompletion(unittest.TestCase):
         self.assertEqual(bash("insonify", "bench", ""), {"engine", "paper", "primary", "batch", "device", "changes", "sampling", "growth"})
 
     def test_suggests_the_options_of_the_command(self):
-        self.assertEqual(bash("insonify", "run", "--no"), {"--no-pictures", "--no-view"})
+        self.assertEqual(bash("insonify", "run", "--no-"), {"--no-pictures", "--no-view"})
         self.assertEqual(bash("insonify", "bench", "engine", "--tr"), {"--triangles"})
 
     def test_suggests_what_an_option_takes(self):
