@@ -94,6 +94,16 @@ struct Before {
   Latest levels;  // Beam values.
 };
 
+// Cosines of the angles between beams and straight down.
+std::vector<double> cosines_of(const BearingGrid& beams, const Pose& world_from_sonar) {
+  const Vec3 down = world_from_sonar.orientation.conjugate() * -Vec3::UnitZ();
+  std::vector<double> cosines;
+  for (const double azimuth : beams.centres) {
+    cosines.push_back(std::cos(azimuth) * down.x() + std::sin(azimuth) * down.y());
+  }
+  return cosines;
+}
+
 }  // namespace
 
 BottomDetector::BottomDetector(const SonarConfig& sonar, const BottomDetectionOptions& options)
@@ -164,12 +174,9 @@ void BottomDetector::detect(const Ping& ping, std::vector<Sounding>& soundings) 
   soundings.assign(static_cast<std::size_t>(ping.beam_count), Sounding());
   const Rows rows(ping);
   std::vector<float> smoothed, scratch;
-  const Vec3 down = ping.world_from_sonar.orientation.conjugate() * -Vec3::UnitZ();
-  std::vector<double> cosines;
+  const std::vector<double> cosines = cosines_of(beams_, ping.world_from_sonar);
   for (int beam = 0; beam < ping.beam_count; ++beam) {
-    const double azimuth = beams_.centres[beam];
-    cosines.push_back(std::cos(azimuth) * down.x() + std::sin(azimuth) * down.y());
-    soundings[beam].azimuth = static_cast<float>(azimuth);
+    soundings[beam].azimuth = static_cast<float>(beams_.centres[beam]);
   }
   Snippet ring;
   const auto detect_beam = [&](int beam, Before& before) {
