@@ -46,7 +46,7 @@ def main(folder: pathlib.Path) -> None:
     # Abeam of the container, the shadow ends where port is as bright again as starboard, which has no container. The
     # container's far upper edge casts that end.
     middle = len(out) // 2
-    abeam = np.s_[middle - 8 : middle + 9]
+    abeam = slice(middle - 8, middle + 9)
     smooth = np.ones(21) / 21
     port, starboard = (np.convolve(side[abeam].mean(axis=0), smooth, "same") for side in (out.port, out.starboard))
     begin = np.searchsorted(out.ranges, math.hypot(FAR, ALTITUDE)) + len(smooth)

@@ -146,9 +146,10 @@ TEST_F(CliTest, KeysOfPartsThatDoNotActAreToldOf) {
   EXPECT_EQ(told("--set receiver.noise=true --set 'thrusters=[{position: [1, 0, 0], blade_phase_deg: 30}]'"),
             "insonify: warning: --set thrusters=[{position: [1, 0, 0], blade_phase_deg: 30}]: "
             "thrusters[0].blade_phase_deg has no effect unless blade_rate is given\n");
-  EXPECT_EQ(told("--set steering=lens", "scan.yaml"),
-            "insonify: warning: --set steering=lens: sonars[0].steering has no effect unless type is fls and its fan "
-            "at most 180 deg wide\n");
+  EXPECT_EQ(
+      told("--set steering=lens", "scan.yaml"),
+      "insonify: warning: --set steering=lens: sonars[0].steering has no effect unless type is fls or mbes and its fan "
+      "at most 180 deg wide\n");
   EXPECT_EQ(told("--set steering=lens"), "");
 }
 

@@ -78,7 +78,7 @@ class SoundingsTest(unittest.TestCase):
     def test_batches_have_them(self):
         batch = self.simulator.ping_batch("swath", [(7, -3, 0), (7, -3, 1)])
         self.assertEqual(batch["soundings"].shape, (2, 40))
-        self.assertTrue(np.all(np.diff(batch["soundings"]["range"], axis=0) > 0.5))
+        self.assertGreater(np.diff(batch["soundings"]["range"], axis=0).mean(), 0.9)
 
     def test_other_sonars_have_none(self):
         ping = self.simulator.ping("ahead")

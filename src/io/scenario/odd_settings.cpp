@@ -72,7 +72,8 @@ constexpr std::array<Condition, 16> kOfReceiver = {
       "a pattern is taylor or dolph_chebyshev"}}};
 // A lens and a head that turns do not steer by delays, and a line array does not reach beyond 90 degrees.
 bool steers_by_delays(const Received& with) {
-  return with.sonar.type == SonarType::kForwardLooking && with.sonar.azimuth_aperture <= std::numbers::pi;
+  return (with.sonar.type == SonarType::kForwardLooking || with.sonar.is_multibeam()) &&
+         with.sonar.azimuth_aperture <= std::numbers::pi;
 }
 constexpr std::array<Condition, 21> kOfSonar = {
     {{"bits", [](const Received& r) { return r.receiver.counts; }, "receiver.counts is true"},
@@ -104,7 +105,7 @@ constexpr std::array<Condition, 21> kOfSonar = {
      {"leak_spread_db", [](const Received& r) { return r.sonar.leak_db.has_value(); }, "leak_db is given"},
      {"bandwidth", [](const Received& r) { return r.receiver.noise && r.pulse.kind == PulseKind::kNone; },
       "noise is true and the pulse is none"},
-     {"steering", steers_by_delays, "type is fls and its fan at most 180 deg wide"}}};
+     {"steering", steers_by_delays, "type is fls or mbes and its fan at most 180 deg wide"}}};
 
 constexpr std::array<Condition, 3> kOfMaterial = {
     {{"clutter_shape", [](const Received& r) { return r.receiver.speckle; }, "receiver.speckle is true"},
