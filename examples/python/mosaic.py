@@ -49,7 +49,7 @@ def main(folder: pathlib.Path) -> None:
     abeam = slice(middle - 8, middle + 9)
     smooth = np.ones(21) / 21
     port, starboard = (np.convolve(side[abeam].mean(axis=0), smooth, "same") for side in (out.port, out.starboard))
-    begin = np.searchsorted(out.ranges, math.hypot(FAR, ALTITUDE)) + len(smooth)
+    begin = int(np.searchsorted(out.ranges, math.hypot(FAR, ALTITUDE))) + len(smooth)
     end = out.ranges[begin + np.argmax(port[begin:] > 0.5 * starboard[begin:])]
     height = survey.height_from_shadow(ALTITUDE, math.hypot(FAR, ALTITUDE), end)
     print(f"The shadow ends at a slant range of {end:.2f} m: the container is {height:.2f} m high, in truth {HEIGHT} m")

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kLeastCosine = 0.08;   // Beams within some 5 degrees of the horizontal, or above it, see no bottom.
 constexpr float kLeastContrast = 10;    // Of a peak, re the median of the beam's smoothed intensities.
-constexpr float kLeastBesides = 0.01F;  // Of a peak, re the beams before: less is the side lobes' of other beams.
+constexpr float kLeastBesides = 1e-3F;  // Of a peak, re the beams before: less is the side lobes' of other beams.
 constexpr double kLeastDepth = 0.6, kGreatestDepth = 1.7;  // From a beam to the next ones, re the depth before.
 constexpr double kBeyondRing = 1.06;  // Beams whose bottom is so far beyond the echo straight below have it apart.
 constexpr std::size_t kBefore = 5;    // Beams whose median depth is that before.
