@@ -9,21 +9,21 @@ namespace insonify {
 
 /// Purpose of a random number; part of the counter or key, so that different purposes use independent streams.
 enum class RandomPurpose : std::uint32_t {
-  kPaperNoise = 1,          // receiver/paper_receiver.cpp
-  kSecondarySelection = 2,  // echo/model/flat_plan.cpp: where selection begins
-  kRelief = 3,              // scene/make_relief.cpp: the surface's height
-  kNoiseInPhase = 4,        // receiver/calibrated_receiver.cpp, real part
-  kNoiseQuadrature = 5,     // ... and imaginary part
-  kArrayElements = 6,       // sonar/array_pattern.cpp: errors of gain and phase
-  kSpeckle = 7,             // receiver/speckle/scatterer_lattice.cpp: key of a bearing
-  kClutter = 8,             // receiver/speckle/clutter.cpp: texture of K-distributed clutter
-  kPointPhase = 9,          // echo/targets/point_echoes.cpp
-  kInterference = 10,       // echo/targets/interference.cpp
-  kScatterers = 11,         // receiver/speckle/sparse_scatterers.cpp
-  kWaves = 12,              // echo/targets/point_ghosts.cpp: highlights of ghosts by waves
-  kWalks = 13,              // echo/walks/random_walks.cpp
-  kTransmitLeak = 14,       // receiver/transmit_leak.cpp: level and phase in each beam
-  kThrusterInPhase = 15,    // receiver/noise/thruster_noise.cpp, real part
+  kPaperNoise = 1,           // receiver/paper_receiver.cpp
+  kSecondarySelection = 2,   // echo/model/flat_plan.cpp: where selection begins
+  kRelief = 3,               // scene/make_relief.cpp: the surface's height
+  kNoiseInPhase = 4,         // receiver/calibrated_receiver.cpp, real part
+  kNoiseQuadrature = 5,      // ... and imaginary part
+  kArrayElements = 6,        // sonar/array_pattern.cpp: errors of gain and phase
+  kSpeckle = 7,              // receiver/speckle/scatterer_lattice.cpp: key of a bearing
+  kClutter = 8,              // receiver/speckle/clutter.cpp: texture of K-distributed clutter
+  kPointPhase = 9,           // echo/targets/point_echoes.cpp
+  kInterference = 10,        // echo/targets/interference.cpp
+  kScatterers = 11,          // receiver/speckle/sparse_scatterers.cpp
+  kWaves = 12,               // echo/targets/point_ghosts.cpp: highlights of ghosts by waves
+  kWalks = 13,               // echo/walks/random_walks.cpp
+  kTransmitLeak = 14,        // receiver/transmit_leak.cpp: level and phase in each beam
+  kThrusterInPhase = 15,     // receiver/noise/thruster_noise.cpp, real part
   kThrusterQuadrature = 16,  // ... and imaginary part
   kVehicleMotion = 17        // pattern/random_motion.cpp
 };

@@ -134,7 +134,8 @@ constexpr Mistake kMistakes[] = {
     {"UnknownSonarToEmulate", "insonify emulate oculus scan.yaml --sonar nobody --port 0", 2,
      "insonify: --sonar nobody: scan.yaml has no such sonar; it has around"},
     {"UnknownSection", "insonify describe sea", 2,
-     "insonify: there is no section sea; there are scenario, water, profile, materials, sonars, sampling, receiver, paper, "
+     "insonify: there is no section sea; there are scenario, water, profile, materials, sonars, sampling, receiver, "
+     "paper, "
      "surface, points, interferers, thrusters, trajectory, pattern, lines, motion_noise, ping_spans, motions, view"},
 };
 
