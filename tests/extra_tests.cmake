@@ -43,7 +43,9 @@ if(TARGET insonify_python AND NOT INSONIFY_SANITIZE)
   endforeach()
   # A line of a real side-scan sonar beside a simulated one.
   add_test(NAME wreck_line COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/validation/wreck_line.py)
-  list(APPEND python_tests wreck_line)
+  # Soundings of real sea floors.
+  add_test(NAME error_budget COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/validation/error_budget.py --pings 10)
+  list(APPEND python_tests wreck_line error_budget)
   set_tests_properties(${python_tests} PROPERTIES ENVIRONMENT "PYTHONPATH=${PROJECT_BINARY_DIR}/python;PYTHONDONTWRITEBYTECODE=1"
     SKIP_RETURN_CODE 77)
 endif()

@@ -64,6 +64,8 @@ void size_tables(Ping& ping, int beams, int bins, GroundTruth ground_truth) {
   ping.path_order.resize(full);
   ping.shadow.resize(full);
   ping.direct_intensity.resize(full);
+  ping.phase.clear();
+  ping.soundings.clear();
 }
 
 void copy_labels(const FormedBeams& formed, std::size_t start, const TilePlace& place, int beam_of_tile,

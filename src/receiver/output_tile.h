@@ -38,8 +38,9 @@ void for_each_tile(int first_beam, int last_beam, int bins, Visit&& visit) {
   }
 }
 
-/// Sizes the tables of a ping for beams x bins; those that `ground_truth` does not ask for become empty. Allocates only
-/// when they need more memory than before.
+/// Sizes the tables of a ping for beams x bins; those that `ground_truth` does not ask for become empty, and so do
+/// `phase` and `soundings`, since a ping may be used again for another sonar. Allocates only when tables need more
+/// memory than before.
 void size_tables(Ping& ping, int beams, int bins, GroundTruth ground_truth);
 
 /// Sets the labels of one beam of the tile to those that an engine has found.

@@ -59,6 +59,8 @@ void SideJoiner::join(std::span<const Ping* const, 2> sides, int covered_bins, P
   ping.beam_count = 2;
   interleave(&Ping::intensity, sides, 1, ping);
   ping.field.clear();
+  ping.phase.clear();
+  ping.soundings.clear();
   if (has_field_) {
     interleave(&Ping::field, sides, 1, ping);
   }

@@ -76,25 +76,19 @@ class Simulator::State::Receiver final : public EchoReceiver {
           grid, aperture.config,
           {.model = scenario.paper, .noise = scenario.receiver_of(aperture.config).noise, .seed = aperture.seed}, ping)
           .receive(workers);
-      detect(shot);
-      return;
+    } else {
+      const PingMotion motion = scenario.motion_in_ping
+                                    ? shot.sonar->motion_while_listening(*shot.request, from.vehicle_from_sonar)
+                                    : PingMotion{};
+      aperture.receivers[worker]->receive(grid, formed, state_.displaced_[shot.order], from.world_from_sonar, motion,
+                                          thrusters_in(*state_.sources_[view]), workers, ping);
     }
-    const PingMotion motion = scenario.motion_in_ping
-                                  ? shot.sonar->motion_while_listening(*shot.request, from.vehicle_from_sonar)
-                                  : PingMotion{};
-    aperture.receivers[worker]->receive(grid, formed, state_.displaced_[shot.order], from.world_from_sonar, motion,
-                                        thrusters_in(*state_.sources_[view]), workers, ping);
-    detect(shot);
+    if (shot.sonar->detector) {
+      shot.sonar->detector->detect(ping, ping.soundings);
+    }
   }
 
  private:
-  static void detect(const Shot& shot) {
-    shot.ping->soundings.clear();
-    if (shot.sonar->detector) {
-      shot.sonar->detector->detect(*shot.ping, shot.ping->soundings);
-    }
-  }
-
   State& state_;
   std::size_t first_;
 };

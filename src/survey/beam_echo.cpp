@@ -147,10 +147,12 @@ std::optional<BeamRange> range_by_phase(const BeamRow& row, const Snippet& snipp
   constexpr int kMeans = 24, kLeastMeans = 8;
   constexpr double kLeastSamples = 4;
   const int bins = snippet.end - snippet.begin;
-  const int length = std::max(row.resolution, bins / kMeans);
+  const int length = std::max(1, bins / kMeans);
   if (row.phase.empty() || bins < kLeastMeans * length) {
     return {};
   }
+  // Means over less than the resolution vary together.
+  const double independent = std::min(1.0, static_cast<double>(length) / row.resolution);
   const std::vector<MeanPhase> means = mean_phases(row, snippet, length);
   if (means.size() < kLeastMeans) {
     return {};
@@ -165,7 +167,7 @@ std::optional<BeamRange> range_by_phase(const BeamRow& row, const Snippet& snipp
     std::size_t count = 0;
     const LineSums sums = sums_of(means, zero, slope, count);
     line = count >= kLeastMeans ? line_through(sums) : std::nullopt;
-    if (!line || (line->slope > 0) != to_port || line->samples < kLeastSamples) {
+    if (!line || (line->slope > 0) != to_port || independent * line->samples < kLeastSamples) {
       return {};
     }
     slope = line->slope;
@@ -175,7 +177,8 @@ std::optional<BeamRange> range_by_phase(const BeamRow& row, const Snippet& snipp
     return {};
   }
   const double off = zero - line->middle;
-  const double variance = line->variance * (1 + off * off / line->spread) / ((line->samples - 2) * slope * slope);
+  const double variance =
+      line->variance * (1 + off * off / line->spread) / ((independent * line->samples - 2) * slope * slope);
   return BeamRange{zero, std::sqrt(variance + kBinDeviation * kBinDeviation)};
 }
 

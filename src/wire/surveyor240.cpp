@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "insonify/acoustics/sound_speed.h"
+#include "insonify/survey/bottom_detection.h"
 #include "insonify/wire/ping_streamer.h"
 #include "wire/little_endian.h"
 #include "wire/streamer_parts.h"
@@ -26,41 +27,15 @@ struct SurveyorSettings {
   [[nodiscard]] double travel_time(double range) const { return 2 * range / static_cast<double>(sos_mps); }
 };
 
-// A point of the bottom.
-struct BottomPoint {
-  double angle = 0;  // From straight down, positive to port [rad].
-  double range = 0;  // [m]
-};
-
-// Mean range of the bins around a beam's loudest, weighted by intensity; none without a bin that stands out.
-std::optional<double> range_of(const Ping& ping, const SonarConfig& sonar, int beam) {
-  constexpr int kAround = 2;
-  std::vector<double> values;
-  for (int bin = 0; bin < ping.bin_count; ++bin) {
-    values.push_back(static_cast<double>(ping.intensity[ping.index(bin, beam)]));
+// The bottom in the beams that have found it. A fan that looks down is searched as a multibeam is.
+std::vector<Sounding> points_of(const Ping& ping, SonarConfig sonar) {
+  std::vector<Sounding> points = ping.soundings;
+  if (!sonar.is_multibeam()) {
+    sonar.type = SonarType::kMultibeam;
+    points = BottomDetector(sonar).detect(ping);
   }
-  const auto loudest = static_cast<int>(std::ranges::max_element(values) - values.begin());
-  double sum = 0, moment = 0;
-  for (int bin = std::max(0, loudest - kAround); bin <= std::min(ping.bin_count - 1, loudest + kAround); ++bin) {
-    const double weight = values[static_cast<std::size_t>(bin)];
-    sum += weight;
-    moment += weight * sonar.bin_range(bin);
-  }
-  const double most = values[static_cast<std::size_t>(loudest)];
-  const auto middle = values.begin() + ping.bin_count / 2;
-  std::ranges::nth_element(values, middle);
-  return most > 0 && most >= *middle * std::pow(10, kSurveyorContrast / 10) ? std::optional(moment / sum)
-                                                                            : std::nullopt;
-}
-
-std::vector<BottomPoint> points_of(const Ping& ping, const SonarConfig& sonar) {
-  std::vector<BottomPoint> soundings;
-  for (int beam = 0; beam < ping.beam_count; ++beam) {
-    if (const std::optional<double> range = range_of(ping, sonar, beam)) {
-      soundings.push_back({sonar.beam_azimuth(beam), *range});
-    }
-  }
-  return soundings;
+  std::erase_if(points, [](const Sounding& sounding) { return !sounding.found(); });
+  return points;
 }
 
 // The world's vertical in the frame of the device: x forward, y to port, z up where the sonar looks down.
@@ -108,9 +83,9 @@ class Surveyor240 : public PingStreamer {
   }
 
   [[nodiscard]] PingFrame yz_points(const Ping& ping, const SonarConfig& sonar, const Water& water, std::uint32_t now,
-                                    const std::vector<BottomPoint>& soundings) const;
+                                    const std::vector<Sounding>& soundings) const;
   [[nodiscard]] PingFrame atof_points(const Ping& ping, const SonarConfig& sonar, std::uint32_t now,
-                                      const std::vector<BottomPoint>& soundings) const;
+                                      const std::vector<Sounding>& soundings) const;
 
   SurveyorSettings settings_;
 };
@@ -142,7 +117,7 @@ bool Surveyor240::command(const PingFrame& frame) {
 }
 
 PingFrame Surveyor240::yz_points(const Ping& ping, const SonarConfig& sonar, const Water& water, std::uint32_t now,
-                                 const std::vector<BottomPoint>& soundings) const {
+                                 const std::vector<Sounding>& soundings) const {
   PingFrame frame{.id = kYzPointData, .source = 1};
   put(frame.payload, now, static_cast<std::uint32_t>(ping.number), settings_.sos_mps);
   put_vector(frame.payload, up_of(ping));
@@ -154,23 +129,22 @@ PingFrame Surveyor240::yz_points(const Ping& ping, const SonarConfig& sonar, con
   put(frame.payload, static_cast<float>(water.temperature_c), static_cast<float>(pressure_of(water)), 0.0F,
       static_cast<float>(sonar.min_range), static_cast<float>(sonar.max_range), std::uint16_t{0},
       static_cast<std::uint16_t>(soundings.size()));
-  for (const BottomPoint& sounding : soundings) {
-    put(frame.payload, static_cast<float>(sounding.range * std::sin(sounding.angle)),
-        static_cast<float>(-sounding.range * std::cos(sounding.angle)));
+  for (const Sounding& sounding : soundings) {
+    put(frame.payload, sounding.range * std::sin(sounding.azimuth), -sounding.range * std::cos(sounding.azimuth));
   }
   return frame;
 }
 
 PingFrame Surveyor240::atof_points(const Ping& ping, const SonarConfig& sonar, std::uint32_t now,
-                                   const std::vector<BottomPoint>& soundings) const {
+                                   const std::vector<Sounding>& soundings) const {
   PingFrame frame{.id = kAtofPointData, .source = 1};
   put(frame.payload, now, std::uint64_t{0});  // UTC is not available.
   put(frame.payload, static_cast<float>(settings_.travel_time(sonar.max_range)), settings_.sos_mps,
       static_cast<std::uint32_t>(ping.number), static_cast<std::uint32_t>(sonar.frequency),
       static_cast<float>(pulse_of(sonar)), std::uint32_t{0}, static_cast<std::uint16_t>(soundings.size()),
       std::uint16_t{0});
-  for (const BottomPoint& sounding : soundings) {
-    put(frame.payload, static_cast<float>(sounding.angle), static_cast<float>(settings_.travel_time(sounding.range)),
+  for (const Sounding& sounding : soundings) {
+    put(frame.payload, sounding.azimuth, static_cast<float>(settings_.travel_time(double{sounding.range})),
         std::uint32_t{0}, std::uint32_t{0});
   }
   return frame;
@@ -179,7 +153,7 @@ PingFrame Surveyor240::atof_points(const Ping& ping, const SonarConfig& sonar, s
 std::vector<PingFrame> Surveyor240::data(const Ping& ping, const SonarConfig& sonar, const Water& water,
                                          double time) const {
   const auto now = static_cast<std::uint32_t>(static_cast<std::uint64_t>(time / kMilliseconds));
-  const std::vector<BottomPoint> soundings = points_of(ping, sonar);
+  const std::vector<Sounding> soundings = points_of(ping, sonar);
   std::vector<PingFrame> frames;
   if (settings_.enable_yz) {
     frames.push_back(yz_points(ping, sonar, water, now, soundings));

@@ -40,16 +40,16 @@ sonars: [{name: fls, beam_count: 256, bin_count: 500, azimuth_aperture_deg: 80, 
         status = pathlib.Path(f"/proc/{self.server.process.pid}/status").read_text()
         return 1024 * int(status.split("VmRSS:")[1].split()[0])
 
-    # 80 pings are 20 MB. What the system's buffers hold is sent; of what waits behind it the newest four stay.
+    # 200 pings are 50 MB. What the system's buffers hold is sent; of what waits behind it the newest four stay.
     def test_a_slow_client_loses_its_oldest_pings_and_costs_no_memory(self):
         quick, slow = self.page(), self.page()
         first = slow.ping()[0]["number"]
         quick.ping()
         before, most, newest = self.memory(), 0, 0
-        while newest <= first + 80:
+        while newest <= first + 200:
             newest = quick.ping()[0]["number"]
             most = max(most, self.memory())
-        self.assertLess(most - before, 8_000_000)
+        self.assertLess(most - before, 20_000_000)
         # No more come while the slow one reads, so that the last ones it gets are those that were kept for it.
         quick.say(op="pause", on=True)
         newest = last_ping(quick, newest)

@@ -41,6 +41,39 @@ TEST(ArrayPatternTest, ContinuousLineIsASinc) {
   EXPECT_NEAR(line.intensity(3), 0, 1e-30);
 }
 
+// Halves of a uniform line reach from -1/2 to 0 and from 0 to 1/2: their difference is (1 - cos pi x) / (pi x).
+TEST(ArrayPatternTest, HalvesOfALineDifferByTheClosedForm) {
+  const ArrayPattern line;
+  EXPECT_EQ(line.difference(0), 0);
+  for (const double x : {0.03, 0.41, 1.0, 1.77, 5.3, -0.62}) {
+    EXPECT_NEAR(line.difference(x), (1 - std::cos(pi * x)) / (pi * x), 1e-9) << x;
+  }
+}
+
+// Whatever the window: a source at x reaches the halves as sum -+ i difference, by quadrature over the window.
+TEST(ArrayPatternTest, HalvesAreThoseOfTheWindow) {
+  for (const ArrayWindow window : {ArrayWindow::kHann, ArrayWindow::kHamming, ArrayWindow::kTaylor}) {
+    const ArrayPattern array({.window = window});
+    for (const double x : {0.2, 0.9, 2.3, -1.4}) {
+      const double at = array.difference(x);
+      EXPECT_NEAR(array.difference(-x), -at, 1e-9);
+      // The window is the transform of the pattern.
+      constexpr int kSteps = 400;
+      constexpr double kReach = 60;
+      double half = 0;
+      for (int i = 0; i < kSteps; ++i) {
+        const double place = 0.5 * (i + 0.5) / kSteps;
+        double taper = 0;
+        for (double u = -kReach; u <= kReach; u += 0.125) {
+          taper += 0.125 * array.amplitude(u).real() * std::cos(2 * pi * u * place);
+        }
+        half += taper * std::sin(2 * pi * x * place) * 0.5 / kSteps;
+      }
+      EXPECT_NEAR(at, 2 * half, 4e-3) << x;
+    }
+  }
+}
+
 TEST(ArrayPatternTest, LineHasTheReferenceLobes) {
   const ArrayPattern line;
   EXPECT_THAT(line.width(), RelativelyNear(0.8858929413781328));

@@ -5,9 +5,8 @@
 #include <numeric>
 
 #include "insonify/error.h"
-#include "insonify/survey/bottom_detection.h"
-#include "validation/calibrated_scene.h"
 #include "validation/decibels.h"
+#include "validation/multibeam_scene.h"
 #include "validation/pi.h"
 
 namespace insonify::validation::multibeam_test {
@@ -24,42 +23,6 @@ double sinc2(double x) {
 // Length in wavelengths of a line whose sinc^2 is so wide at half power.
 double length_of(double width) {
   return kSincWidth / (2 * std::sin(0.5 * width));
-}
-
-SonarConfig multibeam() {
-  SonarConfig sonar;
-  sonar.type = SonarType::kMultibeam;
-  sonar.frequency = 330e3;
-  sonar.beam_count = 61;
-  sonar.azimuth_aperture = 122 * kDegree;
-  sonar.elevation_aperture = 24 * kDegree;
-  sonar.transmit_elevation_aperture = 1.4 * kDegree;
-  sonar.min_range = 0;
-  sonar.max_range = 30;
-  sonar.bin_count = 600;
-  return sonar;
-}
-
-SonarConfig crossed_lines() {
-  SonarConfig sonar = multibeam();
-  sonar.elevation_pattern = BeamPattern::kRectangular;
-  sonar.transmit_elevation_pattern = BeamPattern::kRectangular;
-  sonar.azimuth_resolution = 2 * kDegree;
-  return sonar;
-}
-
-Scenario with_arrays(const SonarConfig& sonar, const Method& method = kRays) {
-  Scenario scenario = calibrated(sonar, method);
-  scenario.receiver.azimuth_pattern = BeamPattern::kRectangular;
-  return scenario;
-}
-
-Ping ping_at(const Scenario& scenario, const Scene& scene, const Vec3& position = Vec3::Zero(),
-             const Vec3& rpy = Vec3::Zero(), const Vec3& velocity = Vec3::Zero()) {
-  PingRequest request;
-  request.world_from_vehicle = {position, orientation_from_rpy(rpy.x(), rpy.y(), rpy.z())};
-  request.twist.linear = velocity;
-  return Simulator(scenario, scene, 2).ping(0, request);
 }
 
 double beam_sum(const Ping& ping, int beam) {
@@ -214,7 +177,7 @@ TEST(MultibeamDepthTest, IsThatOfALevelBed) {
     const Vec3 at = position_of(sounding, ping.world_from_sonar);
     EXPECT_NEAR(at.x(), 0, 1e-3);
     worst = std::max(worst, std::abs(at.z() + kHeight));
-    const double footprint = kHeight * std::sin(azimuth) / std::pow(std::cos(azimuth), 2) * 2 * kDegree;
+    const double footprint = stretch_of(kHeight, azimuth, 2 * kDegree);
     EXPECT_NEAR(at.z(), -kHeight, 0.02 + 0.25 * footprint) << beam;
     EXPECT_GT(at.y() * static_cast<double>(sounding.azimuth), -1e-3);
     if (azimuth < nearest) {
@@ -287,7 +250,7 @@ TEST(MultibeamProfileTest, TheWrongProfileSmiles) {
     ASSERT_TRUE(sounding.found()) << beam;
     const Vec3 bent = position_of(sounding, ping.world_from_sonar, profile, 2, speed);
     const double azimuth = static_cast<double>(sounding.azimuth);
-    const double footprint = kHeight * std::abs(std::sin(azimuth)) / std::pow(std::cos(azimuth), 2) * 2 * kDegree;
+    const double footprint = stretch_of(kHeight, azimuth, 2 * kDegree);
     EXPECT_NEAR(bent.z(), -kHeight, 0.02 + 0.06 * footprint) << beam;
     const auto ray = profile.eigenray(2, 2 + kHeight, std::abs(bent.y()));
     ASSERT_TRUE(ray.has_value());

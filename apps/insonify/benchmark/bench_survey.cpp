@@ -25,7 +25,8 @@ struct SurveyCase {
 constexpr SurveyCase kSurveys[] = {{"edgetech-4125", "400khz", 75, 8, 2000},
                                    {"edgetech-4125", "400khz", 150, 15, 2000},
                                    {"r2sonic-2024", "400khz", 100, 30, 1000},
-                                   {"r2sonic-2024", "200khz", 250, 75, 1000}};
+                                   {"r2sonic-2024", "400khz", 200, 60, 1000},
+                                   {"r2sonic-2024", "200khz", 500, 150, 1000}};
 
 Scenario survey_scenario(const SurveyCase& of) {
   SonarConfig sonar = load_preset(of.preset, of.mode).sonar;

@@ -62,11 +62,8 @@ class PingStreamer {
 
 /// Cerulean Surveyor 240-16, a multibeam echo sounder that looks down: set_ping_parameters (3023); yz_point_data
 /// (3011), atof_point_data (3012), attitude_report (504) and water_stats (118), as published
-/// (bluerobotics/ping-protocol, src/definitions/surveyor240.json). A beam has a point where its loudest bin is
-/// kSurveyorContrast above the median of its bins.
+/// (bluerobotics/ping-protocol, src/definitions/surveyor240.json). Points are those of BottomDetector
+/// (how the instrument finds the bottom is not published).
 [[nodiscard]] std::unique_ptr<PingStreamer> make_surveyor240();
-
-/// Our assumption: how the instrument finds the bottom is not published [dB].
-inline constexpr double kSurveyorContrast = 10;
 
 }  // namespace insonify

@@ -16,6 +16,7 @@ namespace insonify {
 namespace {
 
 constexpr int kMostCells = 32768;
+constexpr double kSplitCell = 0.26;                    // Greatest width of a cell of split arrays [beam widths].
 constexpr double kGuardOfBeam = 0.25;                  // Least width of a guard cell in a gap [beam widths].
 constexpr int kNeighbourBeams = 2;                     // Least beam widths covered on either side of a two-way beam.
 constexpr double kWidest = radians_from_degrees(178);  // Bearings are sines: all must be less than 90 deg off the axis.
@@ -29,12 +30,12 @@ double widest_slice(const BearingGrid& beams) {
   return slice;
 }
 
-// Cells per beam: `least`, or as many as make them no wider than half a beam in u, a quarter with `split` arrays, so
+// Cells per beam: `least`, or as many as make them no wider than half a beam in u, kSplitCell with `split` arrays, so
 // that no echo lies between the cells that the pattern receives. Sampled so densely, the sum of |g|^2 over cells is its
 // integral.
 int cells_per_beam(const SonarConfig& fan, double slice, int least, bool split) {
   constexpr double kSlack = 1e-6;  // A slice of a whole number of half beams gets no more cells by rounding.
-  const double widest = std::sin((split ? 0.25 : 0.5) * beam_width(fan));
+  const double widest = std::sin((split ? kSplitCell : 0.5) * beam_width(fan));
   const double wanted = std::max<double>(least, std::ceil(slice / widest - kSlack));
   if (wanted > least && wanted * fan.beam_count > kMostCells) {
     throw Error(fmt::format("{} beams as narrow as {:.4g} deg take {:.6g} cells of {} beam, must be at most {}",
