@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "insonify/acoustics/sound_speed_profile.h"
 #include "insonify/log.h"
 #include "insonify/messages.h"
 #include "insonify/picture.h"
@@ -43,6 +44,10 @@ struct ExportOptions {
 
   bool uncertainty = false;  ///< Whether lines of .xyz end with the standard deviation of the depth.
 
+  /// Sound-speed profile of the processing, along whose rays soundings in .xyz, .gsf and .kmall are placed, whether or
+  /// not it is that of the water. Depth 0 is the surface of the recording's scenario. Empty: along straight rays.
+  std::vector<ProfilePoint> profile = {};
+
   /// Receives warnings of clipped values in sonar images: SonarMessages::cut_text().
   Log log = {};
 
@@ -66,7 +71,8 @@ struct RecordingPart {
 /// several. `.zattrs` has attributes and settings.
 /// - `.xtf`, `.jsf`: up to three side-scan sonars with their navigation, as survey programs read them.
 /// - `.xyz`: soundings of multibeams as lines of text, x y z of the world; with an origin longitude, latitude and depth
-///   below z = 0. Positions are those that the instrument would write: by the sound speed that it assumes.
+///   below z = 0. Positions are those that the instrument would write: by the sound speed that it assumes, or along the
+///   rays of ExportOptions::profile.
 /// - `.gsf`, `.kmall`: soundings of one multibeam with its navigation, as survey programs read them.
 /// - `.mp4`, `.gif`: the fan of one sonar, or the scan of a scanning one, made by the program ffmpeg.
 ///

@@ -65,6 +65,8 @@ void bind_export(py::module_& module);
 /// A scenario object made by load_scenario() or parse_scenario().
 [[nodiscard]] py::object load_wrapped(const py::object& path, const py::object& settings);
 [[nodiscard]] py::object parse_wrapped(const std::string& text, const py::object& folder, const py::object& settings);
+/// Points, or pairs of depth and speed. @param name  Of the argument.
+[[nodiscard]] std::vector<ProfilePoint> profile_points(const py::iterable& given, const std::string& name);
 [[nodiscard]] py::object scenario_from_dict(const py::dict& dict, const py::object& folder);
 
 }  // namespace insonify::python

@@ -74,25 +74,6 @@ void add_water(py::module_& m) {
         "path turns back before. Medwin and Clay, Fundamentals of Acoustical Oceanography (1998), ch. 3.");
 }
 
-// Points, or pairs of depth and speed.
-std::vector<ProfilePoint> points_from(const py::iterable& given) {
-  std::vector<ProfilePoint> points;
-  for (const py::handle item : given) {
-    const std::string name = fmt::format("points[{}]", points.size());
-    if (py::isinstance<Held<ProfilePoint>>(item)) {
-      points.push_back(unwrap<ProfilePoint>(item, name));
-      continue;
-    }
-    std::vector<double> pair;
-    from_python(item, name, 1, pair);
-    if (pair.size() != 2) {
-      throw Error("", name, " must be a ProfilePoint, or a depth and a sound speed");
-    }
-    points.push_back({.depth = pair[0], .sound_speed = pair[1]});
-  }
-  return points;
-}
-
 void add_profiles(py::module_& m) {
   m.attr("STEEPEST_PROFILE") = kSteepestProfile;
   py::class_<RayPoint>(m, "RayPoint", "A point of a ray; distance and time are those from the source.")
@@ -107,7 +88,9 @@ void add_profiles(py::module_& m) {
   py::class_<SoundSpeedProfile>(m, "SoundSpeedProfile",
                                 "Sound speed by depth: linear between points, constant beyond. Rays are exact in it. "
                                 "points: a list of ProfilePoint or of pairs, depth [m] and sound speed [m/s].")
-      .def(py::init([](const py::iterable& points) { return SoundSpeedProfile(points_from(points), "points"); }),
+      .def(py::init([](const py::iterable& points) {
+             return SoundSpeedProfile(profile_points(points, "points"), "points");
+           }),
            arg("points"))
       .def("speed_at", &SoundSpeedProfile::speed_at, arg("depth"), "Sound speed [m/s] at a depth [m].")
       .def(
@@ -322,6 +305,24 @@ void add_surfaces(py::module_& m) {
 }
 
 }  // namespace
+
+std::vector<ProfilePoint> profile_points(const py::iterable& given, const std::string& name) {
+  std::vector<ProfilePoint> points;
+  for (const py::handle item : given) {
+    const std::string of_item = fmt::format("{}[{}]", name, points.size());
+    if (py::isinstance<Held<ProfilePoint>>(item)) {
+      points.push_back(unwrap<ProfilePoint>(item, of_item));
+      continue;
+    }
+    std::vector<double> pair;
+    from_python(item, of_item, 1, pair);
+    if (pair.size() != 2) {
+      throw Error("", of_item, " must be a ProfilePoint, or a depth and a sound speed");
+    }
+    points.push_back({.depth = pair[0], .sound_speed = pair[1]});
+  }
+  return points;
+}
 
 void bind_acoustics(py::module_& module) {
   py::module_ acoustics = module.def_submodule("acoustics",

@@ -73,6 +73,15 @@ void take_origin(py::handle value, ExportOptions& options) {
   options.origin = GeographicPoint{both[0], both[1]};
 }
 
+// A list of points, or None.
+void take_profile(py::handle value, ExportOptions& options) {
+  options.profile.clear();
+  if (!value.is_none()) {
+    options.profile = profile_points(py::reinterpret_borrow<py::object>(value), "profile");
+    check_profile(options.profile, "profile");
+  }
+}
+
 void take_option(const std::string& name, py::handle value, ExportOptions& options) {
   bool known = true;
   if (name == "replace") {
@@ -87,6 +96,8 @@ void take_option(const std::string& name, py::handle value, ExportOptions& optio
     take_origin(value, options);
   } else if (name == "uncertainty") {
     from_python(value, name, 1, options.uncertainty);
+  } else if (name == "profile") {
+    take_profile(value, options);
   } else if (name == "rate") {
     from_python(value, name, 1, options.video.rate);
   } else if (name == "height") {
@@ -167,7 +178,9 @@ void bind_export(py::module_& module) {
       "and start (the run's time 0, \"2026-06-01T10:00:00Z\" or a datetime with its time zone), of .mcap and .bag; "
       "start "
       "and origin (latitude and longitude of the world's origin in degrees), of .xtf, .jsf, .gsf and .kmall, origin of "
-      ".xyz too. uncertainty (False), a column of .xyz.\n\n"
+      ".xyz too. uncertainty (False), a column of .xyz. profile, a list of ProfilePoint or of pairs of depth and sound "
+      "speed, as load_sound_speed_profile() gives: places soundings in .xyz, .gsf and .kmall along its rays; None: "
+      "straight ones.\n\n"
       "Warns (insonify.Warning) of values above the highest level of .mcap and .bag, which are clipped. Raises Error "
       "with the path for an unknown extension, several sonars in a video, an existing file, a full disk, and and a "
       "video without ffmpeg; KeyboardInterrupt on Control-C, which leaves no file.");

@@ -59,11 +59,17 @@ py::object soundings_of(const py::object& self) {
              : Soundings(static_cast<py::ssize_t>(ping.soundings.size()), ping.soundings.data(), self);
 }
 
-py::array_t<double> sounding_positions(const PythonPing& ping, double range_scale) {
+py::array_t<double> sounding_positions(const PythonPing& ping, double range_scale, const SoundSpeedProfile* profile,
+                                       double surface) {
+  if (profile != nullptr && range_scale != 1) {
+    throw Error("", "range_scale", " has no effect with a profile");
+  }
   py::array_t<double> positions({static_cast<py::ssize_t>(ping.soundings.size()), py::ssize_t{3}});
   double* to = positions.mutable_data();
   for (const Sounding& sounding : ping.soundings) {
-    const Vec3 position = position_of(sounding, ping.world_from_sonar, range_scale);
+    const Vec3 position = profile == nullptr ? position_of(sounding, ping.world_from_sonar, range_scale)
+                                             : position_of(sounding, ping.world_from_sonar, *profile, surface,
+                                                           ping.facts->sonar.assumed_sound_speed.value());
     to = std::copy(position.begin(), position.end(), to);
   }
   return positions;
@@ -78,10 +84,13 @@ void add_soundings(PingClass& ping) {
           "beam [rad], positive to port. range: slant range, as the sonar shows ranges [m]; NaN: no bottom found. "
           "uncertainty: standard deviation of the range [m]. quality: log10(range / uncertainty). intensity: mean of "
           "the bins from snippet_begin to before snippet_end. detection: 0 none, 1 by amplitude, 2 by phase.")
-      .def("sounding_positions", &sounding_positions, py::arg("range_scale") = 1.0,
-           "Positions of the soundings in the world along straight rays, float64 [beams, 3] in metres; NaN where no "
-           "bottom was found.\n\n"
-           "range_scale: true range / range shown, the true sound speed / sonar.assumed_sound_speed.");
+      .def(
+          "sounding_positions", &sounding_positions, py::arg("range_scale") = 1.0, py::arg("profile") = py::none(),
+          py::arg("surface") = 0.0,
+          "Positions of the soundings in the world, float64 [beams, 3] in metres; NaN where no bottom was found. Along "
+          "straight rays, or those of a profile, which need not be that of the water.\n\n"
+          "range_scale: true range / range shown, the true sound speed / sonar.assumed_sound_speed. profile: an "
+          "acoustics.SoundSpeedProfile. surface: height of the water's surface, the profile's depth 0 [m].");
 }
 
 // For pickle and copy: all of the ping's data, including a recorded one's tables that were not read yet.

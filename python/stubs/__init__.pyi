@@ -210,7 +210,8 @@ class Ping:
     # TABLES
     @property
     def soundings(self) -> npt.NDArray[np.void] | None: ...
-    def sounding_positions(self, range_scale: float = ...) -> npt.NDArray[np.float64]: ...
+    def sounding_positions(self, range_scale: float = ..., profile: acoustics.SoundSpeedProfile | None = ...,
+                           surface: float = ...) -> npt.NDArray[np.float64]: ...
     def plot(self, kind: Literal["fan", "polar"] = ..., levels: tuple[float, float] | None = ..., ax: Any = ...,
              colour_map: str | None = ..., *, color_map: str | None = ..., counts: bool = ...) -> Any: ...
 
@@ -359,6 +360,7 @@ def draw_polar(ping: Ping, levels: Sequence[float] | None = ..., colour_map: str
 def export(recordings: _Path | RecordedPings | Sequence[_Path | RecordedPings], file: _Path, *, replace: bool = ...,
            compress: bool = ..., levels: Sequence[float] | None = ..., start: str | datetime.datetime | None = ...,
            origin: Sequence[float] | None = ..., uncertainty: bool = ...,
+           profile: Iterable[ProfilePoint] | Iterable[Sequence[float]] | None = ...,
            rate: float | None = ..., height: int = ..., colour_map: str = ..., color_map: str = ...,
            annotations: bool = ..., bits: int = ..., raw: bool = ..., low_db: float | None = ...,
            high_db: float | None = ..., strong_share: float = ..., fan_height: int = ..., fan_rate: float | None = ...,

@@ -57,6 +57,7 @@ W = math.sqrt(1 - E2 * math.sin(math.radians(ORIGIN[0])) ** 2)
 METRES_NORTH = math.radians(6378137 * (1 - E2) / W ** 3)  # A degree of latitude.
 METRES_EAST = math.radians(6378137 / W * math.cos(math.radians(ORIGIN[0])))
 KNOT = 1852 / 3600
+CAST = ((0, 1500), (5, 1480), (20, 1430))
 
 
 def insonify(*arguments, **options):
@@ -84,6 +85,30 @@ def direction(azimuth):
     y, z = y * math.cos(roll) - z * math.sin(roll), y * math.sin(roll) + z * math.cos(roll)
     x, z = z * math.sin(pitch), z * math.cos(pitch)
     return x, -y, -z
+
+
+def ray(angle, time, steps=4000):
+    """Horizontal distance and depth from the sonar, after a launch angle below horizontal and a time, through CAST,
+    whose depth 0 is that of the sonar: by the midpoint rule."""
+    speeds = [speed for _, speed in CAST]
+    depths = [depth for depth, _ in CAST]
+
+    def speed_at(depth):
+        if depth <= depths[0]:
+            return speeds[0]
+        for i in range(1, len(depths)):
+            if depth < depths[i]:
+                return speeds[i - 1] + (depth - depths[i - 1]) * (speeds[i] - speeds[i - 1]) / (depths[i] - depths[i - 1])
+        return speeds[-1]
+
+    snell = math.cos(angle) / speed_at(0)
+    distance, depth, step = 0, 0, time / steps
+    for _ in range(steps):
+        speed = speed_at(depth)
+        middle = speed_at(depth + 0.5 * step * speed * math.sqrt(1 - (snell * speed) ** 2))
+        distance += step * middle * snell * middle
+        depth += step * middle * math.sqrt(1 - (snell * middle) ** 2)
+    return distance, depth
 
 
 def tables(path):
@@ -215,6 +240,36 @@ class MultibeamFilesTest(unittest.TestCase):
                 self.near((longitude - ORIGIN[1]) * METRES_EAST, wanted[0], 1e-3)
                 self.near(depth, -wanted[2], 1e-4)
                 self.near(deviation, wanted[3], 1e-4)
+
+    def test_a_profile_bends_the_rays(self):
+        with open("cast.csv", "w", encoding="ascii") as file:
+            file.write("depth,speed\n" + "".join(f"{depth},{speed}\n" for depth, speed in CAST))
+        self.export("line/swath.h5", "-o", "bent.xyz", "--profile", "cast.csv")
+        with open("bent.xyz", encoding="ascii") as file:
+            lines = iter([list(map(float, line.split())) for line in file])
+        turn, bent = math.radians(HEADING), 0
+        for ping in range(self.pings):
+            east, north = place_of(PERIOD * ping)
+            for azimuth, sounding in self.beams(ping):
+                if sounding["detection"]:
+                    ahead, starboard, down = direction(azimuth)
+                    across = math.hypot(ahead, starboard)
+                    distance, depth = ray(math.asin(down), sounding["range"] / ASSUMED)
+                    ahead, starboard = (distance * part / across for part in (ahead, starboard))
+                    line = next(lines)
+                    self.near(line[0], east + ahead * math.sin(turn) + starboard * math.cos(turn), 2e-3)
+                    self.near(line[1], north + ahead * math.cos(turn) - starboard * math.sin(turn), 2e-3)
+                    self.near(line[2], -DEPTH - depth, 2e-3)
+                    bent = max(bent, abs(depth - sounding["range"] * down))
+        self.assertIsNone(next(lines, None))
+        self.assertGreater(bent, 0.1)
+        records = list(gsf_records(self.origin_export("bent.gsf", "--profile", "cast.csv")))
+        points = [value for depth, speed in CAST for value in (100 * depth, 100 * speed)]
+        self.assertEqual(struct.unpack(">7I", records[3][1][24:]), (len(CAST), *points))
+        datagrams = list(kmall_datagrams(self.origin_export("bent.kmall", "--profile", "cast.csv")))
+        self.assertEqual(struct.unpack_from("<HH", datagrams[1][3]), (28, len(CAST)))
+        for i, point in enumerate(CAST):
+            self.assertEqual(struct.unpack_from("<ff", datagrams[1][3], 28 + 20 * i), point)
 
     def test_gsf_records(self):
         records = list(gsf_records(self.origin_export("line.gsf")))
@@ -413,7 +468,10 @@ class MultibeamFilesTest(unittest.TestCase):
                 (("line/swath.h5", "-o", "a.kmall"),
                  "a.kmall: .kmall holds latitudes and longitudes, for which an origin is needed"),
                 (("line/swath.h5", "-o", "a.gsf", "--uncertainty", "--origin=1,2"),
-                 "--uncertainty has no effect on .gsf, only on .xyz")):
+                 "--uncertainty has no effect on .gsf, only on .xyz"),
+                (("line/swath.h5", "-o", "a.npz", "--profile", "cast.csv"),
+                 "--profile has no effect on .npz, only on .xyz, .gsf, .kmall"),
+                (("line/swath.h5", "-o", "a.xyz", "--profile", "none.svp"), "none.svp: no such file")):
             done = insonify("export", *arguments)
             self.assertEqual((done.returncode, done.stderr), (2, f"insonify: {message}\n"))
         done = insonify("export", "blind/swath.h5", "-o", "a.xyz")

@@ -67,6 +67,30 @@ class SoundingsTest(unittest.TestCase):
         means = [ping.intensity[a:b, beam].mean() for beam, (a, b) in enumerate(zip(begin, end))]
         np.testing.assert_allclose(found["intensity"], means, rtol=1e-5)
 
+    def test_profiles_bend_rays(self):
+        ping = self.simulator.ping("swath", number=0)
+        # Water of one speed, as the true one: straight rays to the floor.
+        uniform = insonify.acoustics.SoundSpeedProfile([(0, 1470)])
+        np.testing.assert_allclose(ping.sounding_positions(profile=uniform), ping.sounding_positions(range_scale=SCALE),
+                                   atol=1e-6)
+        # Water that becomes faster with depth bends rays up: the depths of outer beams are less.
+        layered = insonify.acoustics.SoundSpeedProfile([(1, 1470), (21, 1530)])
+        bent = ping.sounding_positions(profile=layered, surface=1.0)
+        azimuth = ping.soundings["azimuth"].astype(float)
+        for place, angle, range_ in zip(bent, azimuth, ping.soundings["range"].astype(float)):
+            point = layered.after_time(1.0, np.pi / 2 - abs(angle), range_ / 1500)
+            self.assertAlmostEqual(place[2], 1 - point.depth, delta=1e-6)
+            self.assertAlmostEqual(abs(place[1] + 3), point.distance, delta=1e-6)
+        straight = ping.sounding_positions(range_scale=1500 / 1500)[:, 2]
+        self.assertGreater(np.abs(bent[:, 2] - straight).max(), 0.05)
+        with self.assertRaisesRegex(insonify.Error, "range_scale has no effect with a profile"):
+            ping.sounding_positions(range_scale=0.9, profile=layered)
+        insonify.export("swath.h5", "bent.xyz", profile=[(0, 1470), (20, 1530)], replace=True)
+        insonify.export("swath.h5", "flat.xyz", replace=True)
+        self.assertNotEqual(pathlib.Path("bent.xyz").read_text(), pathlib.Path("flat.xyz").read_text())
+        with self.assertRaisesRegex(insonify.Error, r"profile\[1\]"):
+            insonify.export("swath.h5", "no.xyz", profile=[(0, 1470), (0, 1530)])
+
     def test_recordings_give_them_back(self):
         recording = insonify.open("swath.h5")
         self.assertEqual(recording.soundings.shape, (3, 40))

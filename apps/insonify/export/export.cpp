@@ -15,6 +15,7 @@
 #include "console/stop.h"
 #include "insonify/recording_formats.h"
 #include "insonify/recording_info.h"
+#include "insonify/sound_speed_files.h"
 #include "pictures/picture_options.h"
 
 namespace insonify {
@@ -30,6 +31,7 @@ struct ExportCommand {
   bool store = false;               // Leave .npz uncompressed.
   std::string origin = {};          // Latitude and longitude of the world's origin, for survey files; "": none.
   bool uncertainty = false;         // A fourth column of .xyz.
+  std::filesystem::path profile;    // Sound speeds by which soundings are placed; "": straight rays.
   std::optional<double> rate = {};  // Pictures a second of a video.
   PictureOptions pictures;          // Colours and levels.
   std::vector<std::string> given;   // Names of the options that act on some formats only and were given.
@@ -44,6 +46,7 @@ void check_effects(const ExportCommand& options) {
       {"--store", {".npz"}},
       {"--origin", {".xtf", ".jsf", ".xyz", ".gsf", ".kmall"}},
       {"--uncertainty", {".xyz"}},
+      {"--profile", {".xyz", ".gsf", ".kmall"}},
       {"--rate", {".mp4", ".gif"}},
       {"--colour-map", {".mp4", ".gif", ".mcap", ".bag"}},
       {"--height", {".mp4", ".gif"}},
@@ -100,6 +103,9 @@ int export_command(const ExportCommand& options) {
   how.log = [](Severity, const std::string& message) { complain("warning: " + message + "; --levels changes that"); };
   how.origin = parsed_origin(options.origin);
   how.uncertainty = options.uncertainty;
+  if (!options.profile.empty()) {
+    checked_input([&] { how.profile = load_sound_speed_profile(options.profile, log_to_user(false)); });
+  }
   how.video.rate = options.rate;
   how.video.low_db = how.messages.low_db;
   how.video.high_db = how.messages.high_db;
@@ -139,6 +145,10 @@ void add_export(const Command& program) {
                  "Where the world's origin is [deg], for positions in survey files [metres]; .gsf and .kmall need it",
                  origin());
   command.flag("--uncertainty", &options.uncertainty, "Standard deviations of depths as a fourth column of .xyz");
+  command.option("--profile", "FILE", &options.profile,
+                 "Sound-speed profile (.csv, .svp, .asvp) along whose rays soundings are placed; it need not be "
+                 "that of the water [straight rays]",
+                 not_empty("a file, such as cast.svp"));
   command.option("--rate", "N", &options.rate,
                  "Frames per second of a video [as fast as the pings were made, at most 50]",
                  number_within(above_to(0, 120)));
@@ -156,8 +166,8 @@ void add_export(const Command& program) {
       "  insonify export run.mcap --sonar fls -o fls.npz\n"
       "  insonify export out/fls.h5 -o fls.gif --levels -90:-40 --height 480");
   command.act([command, &options, &bits] {
-    for (const char* name :
-         {"--bits", "--store", "--rate", "--height", "--colour-map", "--levels", "--origin", "--uncertainty"}) {
+    for (const char* name : {"--bits", "--store", "--rate", "--height", "--colour-map", "--levels", "--origin",
+                             "--uncertainty", "--profile"}) {
       if (command.given(name)) {
         options.given.emplace_back(name);
       }

@@ -88,15 +88,14 @@ GsfRecord parameter_record(std::uint64_t time_ns) {
   return record;
 }
 
-// One sound speed at all depths.
-GsfRecord profile_record(const SwathPing& ping, double sound_speed) {
-  constexpr double kDeepest = 12000;  // [m]
+// The profile of the processing.
+GsfRecord profile_record(const SwathPing& ping, const std::vector<std::array<double, 2>>& profile) {
   GsfRecord record;
   put_gsf_time(record, ping.time_ns);
   put_gsf_time(record, ping.time_ns);
   record.put_all(whole<std::int32_t>(ping.x * kDegreeUnits), whole<std::int32_t>(ping.y * kDegreeUnits),
-                 std::uint32_t{2});
-  for (const double depth : {0.0, kDeepest}) {
+                 static_cast<std::uint32_t>(profile.size()));
+  for (const auto& [depth, sound_speed] : profile) {
     record.put_all(whole<std::uint32_t>(depth * kCentimetres), whole<std::uint32_t>(sound_speed * kHundredths));
   }
   return record;
@@ -208,7 +207,7 @@ void export_gsf(RecordedSonars recordings, const std::filesystem::path& file, co
   bool first = true;
   line.for_each([&](std::size_t sonar, const SwathPing& ping) {
     if (first) {
-      append(out, kProfileRecord, profile_record(ping, line.sonars()[sonar].sound_speed));
+      append(out, kProfileRecord, profile_record(ping, line.profile(line.sonars()[sonar])));
     }
     append(out, kPingRecord, ping_record(ping, arrays, std::exchange(first, false)));
   });

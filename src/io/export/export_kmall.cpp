@@ -58,15 +58,14 @@ Datagram installation() {
   return body;
 }
 
-// One sound speed at all depths.
-Datagram profile(const SwathPing& ping, double sound_speed) {
-  constexpr double kDeepest = 12000;  // [m]
+// The profile of the processing.
+Datagram profile(const SwathPing& ping, const std::vector<std::array<double, 2>>& points) {
   constexpr std::uint64_t kSecond = 1'000'000'000;
   Datagram body;
-  body.put_all(std::uint16_t{28}, std::uint16_t{2});
+  body.put_all(std::uint16_t{28}, static_cast<std::uint16_t>(points.size()));
   body.put_text(std::string_view("S00\0", 4));
   body.put_all(static_cast<std::uint32_t>(ping.time_ns / kSecond), ping.y, ping.x);
-  for (const double depth : {0.0, kDeepest}) {
+  for (const auto& [depth, sound_speed] : points) {
     body.put_all(f(depth), f(sound_speed), std::uint32_t{0}, 0.0F, 0.0F);
   }
   return body;
@@ -217,7 +216,7 @@ void export_kmall(RecordedSonars recordings, const std::filesystem::path& file, 
   line.for_each([&](std::size_t index, const SwathPing& ping) {
     const SwathSonar& sonar = line.sonars()[index];
     if (std::exchange(first, false)) {
-      append(out, "#SVP", 1, ping.time_ns, profile(ping, sonar.sound_speed));
+      append(out, "#SVP", 1, ping.time_ns, profile(ping, line.profile(sonar)));
     }
     append(out, "#SPO", 0, ping.time_ns, position(ping));
     append(out, "#SKM", 1, ping.time_ns, attitude(ping));

@@ -25,6 +25,21 @@ double absorption_of(const RecordedTables& recording) {
   return stored != recording.attributes().end() && stored->is_number() ? stored->get<double>() : 0;
 }
 
+// Height of the surface: that of the scenario, or as much above the first ping as its depth says.
+double surface_of(const RecordedTables& recording, const RecordedPings& pings) {
+  const nlohmann::json settings = recording.settings();
+  const auto number = [&](const char* path) -> std::optional<double> {
+    const nlohmann::json::json_pointer pointer(path);
+    return settings.contains(pointer) && settings[pointer].is_number() ? std::optional(settings[pointer].get<double>())
+                                                                       : std::nullopt;
+  };
+  if (const std::optional<double> level = number("/surface/level")) {
+    return *level;
+  }
+  const double first = pings.ping_count() > 0 ? pings.ping(0).world_from_sonar.position.z() : 0;
+  return first + number("/water/depth").value_or(0);
+}
+
 // Level of the bottom's echo without the receiver's gain [dB].
 double level_of(const Sounding& sounding, const SwathSonar& sonar) {
   constexpr double kFaintest = -300;  // Of an intensity of 0.
@@ -34,8 +49,10 @@ double level_of(const Sounding& sounding, const SwathSonar& sonar) {
                           : level;
 }
 
-// @param ahead  Horizontal.
-SwathBeam beam_of(const Sounding& sounding, const Pose& world_from_sonar, const Vec3& ahead, const SwathSonar& sonar) {
+// @param ahead    Horizontal.
+// @param profile  Bends rays; null: straight.
+SwathBeam beam_of(const Sounding& sounding, const Pose& world_from_sonar, const Vec3& ahead, const SwathSonar& sonar,
+                  const SoundSpeedProfile* profile) {
   SwathBeam beam;
   beam.sounding = sounding;
   Sounding unit = sounding;
@@ -50,10 +67,13 @@ SwathBeam beam_of(const Sounding& sounding, const Pose& world_from_sonar, const 
     return beam;
   }
   const auto range = static_cast<double>(sounding.range), deviation = static_cast<double>(sounding.uncertainty);
-  beam.position = position_of(sounding, world_from_sonar);
-  beam.ahead = range * direction.dot(ahead);
-  beam.starboard = range * direction.dot(starboard);
-  beam.below = range * cosine;
+  beam.position = profile == nullptr
+                      ? position_of(sounding, world_from_sonar)
+                      : position_of(sounding, world_from_sonar, *profile, sonar.surface, sonar.sound_speed);
+  const Vec3 offset = beam.position - world_from_sonar.position;
+  beam.ahead = offset.dot(ahead);
+  beam.starboard = offset.dot(starboard);
+  beam.below = -offset.z();
   beam.depth = -beam.position.z();
   beam.travel_time = 2 * range / sonar.sound_speed;
   beam.level_db = level_of(sounding, sonar);
@@ -71,6 +91,9 @@ std::size_t SwathPing::found() const {
 
 SwathLine::SwathLine(RecordedSonars recordings, const ExportOptions& options)
     : recordings_(recordings), options_(options), navigator_(recordings, options) {
+  if (!options.profile.empty()) {
+    profile_.emplace(options.profile);
+  }
   for (const auto& recording : recordings) {
     survey(*recording);
   }
@@ -98,6 +121,7 @@ void SwathLine::survey(const RecordedTables& recording) {
   sonar.sound_speed = sound_speed_of(recording, sonar.config);
   sonar.absorption = absorption_of(recording);
   sonar.calibrated = model_of(recording) == EchoModel::kCalibrated;
+  sonar.surface = surface_of(recording, pings);
   Track& track = tracks_.emplace_back();
   for (std::uint64_t number = 0; number < pings.ping_count(); ++number) {
     check_stop(options_);
@@ -116,9 +140,22 @@ SwathPing SwathLine::described(std::size_t index, const Ping& ping) const {
   const double heading = radians_from_degrees(out.heading);
   const Vec3 ahead(std::sin(heading), std::cos(heading), 0);
   for (const Sounding& sounding : ping.soundings) {
-    out.beams.push_back(beam_of(sounding, ping.world_from_sonar, ahead, sonars_[index]));
+    out.beams.push_back(
+        beam_of(sounding, ping.world_from_sonar, ahead, sonars_[index], profile_ ? &*profile_ : nullptr));
   }
   return out;
+}
+
+std::vector<std::array<double, 2>> SwathLine::profile(const SwathSonar& sonar) const {
+  constexpr double kDeepest = 12000;  // [m]
+  if (!profile_) {
+    return {{0, sonar.sound_speed}, {kDeepest, sonar.sound_speed}};
+  }
+  std::vector<std::array<double, 2>> points;
+  for (const ProfilePoint& point : options_.profile) {
+    points.push_back({point.depth, profile_->speed_at(point.depth)});
+  }
+  return points;
 }
 
 void SwathLine::for_each(const std::function<void(std::size_t sonar, const SwathPing& ping)>& take) const {

@@ -4,8 +4,10 @@
 
 #include <functional>
 #include <limits>
+#include <optional>
 #include <vector>
 
+#include "insonify/acoustics/sound_speed_profile.h"
 #include "insonify/sounding.h"
 #include "io/export/navigation.h"
 
@@ -18,6 +20,7 @@ struct SwathSonar {
   double sound_speed = 0;   ///< Converts time to range [m/s]: as the sonar assumes it.
   double absorption = 0;    ///< [dB/m], one way.
   bool calibrated = false;  ///< Whether SwathBeam::level_db is that of the echo re 1 uPa.
+  double surface = 0;       ///< Height of the water's surface in the world [m].
   double ping_period = 0;   ///< Mean time between pings [s]; of a single ping, the time that it takes.
 };
 
@@ -55,8 +58,8 @@ struct SwathExtent {
   Eigen::AlignedBox3d places;  ///< Of SwathLine::place_of() and depth below z = 0, where `found` > 0.
 };
 
-/// The pings of several multibeams of one run. Positions follow from the sound speed that the sonar assumes: those that
-/// the instrument would write.
+/// The pings of several multibeams of one run. Positions follow from the sound speed that the sonar assumes, as those
+/// that the instrument would write, or from the rays of ExportOptions::profile.
 class SwathLine {
  public:
   /// Reads all pings once, for the tracks and the extent.
@@ -69,6 +72,9 @@ class SwathLine {
   /// East and north [m] or longitude and latitude [deg].
   [[nodiscard]] std::array<double, 2> place_of(const Vec3& point) const { return navigator_.place_of(point); }
 
+  /// Depths and sound speeds of the processing: two points of one speed without ExportOptions::profile.
+  [[nodiscard]] std::vector<std::array<double, 2>> profile(const SwathSonar& sonar) const;
+
   /// Gives all pings in the order of their times.
   void for_each(const std::function<void(std::size_t sonar, const SwathPing& ping)>& take) const;
 
@@ -79,6 +85,7 @@ class SwathLine {
   RecordedSonars recordings_;
   ExportOptions options_;
   Navigator navigator_;
+  std::optional<SoundSpeedProfile> profile_;
   std::vector<SwathSonar> sonars_;
   std::vector<Track> tracks_;
   SwathExtent extent_;
