@@ -62,7 +62,7 @@ from . import _scene as _scene
 from ._catalogue import load, materials, presets
 from ._layers import RecordedLayer
 from ._levels import to_db
-from ._pictures import draw_fan, draw_polar
+from ._pictures import draw_fan, draw_polar, draw_waterfall
 from ._pose import look_at
 
 fan = draw_fan
@@ -93,6 +93,7 @@ __all__ = [
     "compare",
     "draw_fan",
     "draw_polar",
+    "draw_waterfall",
     "Error",
     "export",
     "fan",

@@ -11,6 +11,7 @@ import numpy.typing as npt
 
 from . import _insonify
 from ._insonify import Error, Line, Ping, RecordedPings, write_png
+from ._insonify import draw_waterfall as draw_waterfall  # Given on.
 
 LEAST_ANNOTATED = 240  # Height of pictures that letters fit in [pixels].
 LEAST = 16
@@ -61,12 +62,21 @@ def draw_polar(ping: Ping, levels: Sequence[float] | None = None, colour_map: st
                   color_map=color_map, counts=counts)
 
 
-def _repr_png_(self: Ping) -> bytes:
-    """The fan as a PNG, which notebooks show."""
+def _png(picture: npt.NDArray[np.uint8]) -> bytes:
     with tempfile.TemporaryDirectory() as folder:
-        path = pathlib.Path(folder, "fan.png")
-        write_png(path, draw_fan(self, height=480))
+        path = pathlib.Path(folder, "picture.png")
+        write_png(path, picture)
         return path.read_bytes()
+
+
+def _repr_png_(self: Ping) -> bytes:
+    """The fan as a PNG, which notebooks show; of a side-scan sonar the row of a waterfall."""
+    return _png(draw_waterfall([self], height=240) if self.sonar.type == "sss" else draw_fan(self, height=480))
+
+
+def _line_repr_png_(self: Line) -> bytes:
+    """As a PNG, which notebooks show: the waterfall of a side-scan sonar, of a multibeam the fan of the last ping."""
+    return _png(draw_waterfall(self, height=480) if self.sonar.type == "sss" else draw_fan(self[-1], height=480))
 
 
 def _ranges(self: Ping | RecordedPings | Line) -> npt.NDArray[np.float64]:
@@ -80,6 +90,7 @@ def _azimuths(self: Ping | RecordedPings | Line) -> npt.NDArray[np.float64]:
 
 
 setattr(Ping, "_repr_png_", _repr_png_)
+setattr(Line, "_repr_png_", _line_repr_png_)
 for _name, _read in (("ranges", _ranges), ("azimuths", _azimuths)):
     for _owner in (Ping, RecordedPings, Line):
         setattr(_owner, _name, property(_read))

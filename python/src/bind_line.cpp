@@ -33,6 +33,9 @@ py::array_t<double> poses_of(const FlownLine& line) {
 
 // One side of all pings: a view.
 py::object side_of(const FlownLine& line, int side) {
+  if (!line.facts->sonar.is_side_scan()) {
+    throw py::attribute_error(fmt::format("{} has no sides; intensity holds its beams", line.facts->sonar.name));
+  }
   return line.intensity[py::make_tuple(py::ellipsis(), side)];
 }
 
@@ -46,8 +49,20 @@ std::shared_ptr<PythonPing> ping_of(const FlownLine& line, py::ssize_t number) {
   ping->beam_count = static_cast<int>(line.intensity.shape(2));
   const float* values = line.intensity.data(number);
   ping->intensity.assign(values, values + line.intensity.shape(1) * line.intensity.shape(2));
+  if (!line.soundings.empty()) {
+    const auto first = line.soundings.begin() + number * ping->beam_count;
+    ping->soundings.assign(first, first + ping->beam_count);
+  }
   ping->facts = line.facts;
   return ping;
+}
+
+// [pings, beams]; None without soundings.
+py::object soundings_of_line(const FlownLine& line) {
+  if (line.soundings.empty()) {
+    return py::none();
+  }
+  return py::array_t<Sounding>({line.intensity.shape(0), line.intensity.shape(2)}, line.soundings.data());
 }
 
 py::object item_of(const FlownLine& line, const py::object& number) {
@@ -55,7 +70,9 @@ py::object item_of(const FlownLine& line, const py::object& number) {
 }
 
 void add_arrays(LineClass& line) {
-  line.def_readonly("intensity", &FlownLine::intensity, "Echo intensities, float32 [pings, bins, 2]: port, starboard.")
+  line.def_readonly("intensity", &FlownLine::intensity,
+                    "Echo intensities, float32 [pings, bins, beams]; of a side-scan "
+                    "sonar port and starboard.")
       .def_property_readonly(
           "port", [](const FlownLine& self) { return side_of(self, 0); }, "Those of the port side, [pings, bins].")
       .def_property_readonly(
@@ -69,16 +86,19 @@ void add_arrays(LineClass& line) {
       .def_property_readonly(
           "altitude", [](const FlownLine& self) { return doubles_of(self.altitude); },
           "Heights of the sonar above the nearest echo from below, by ground truth, float64 [pings], in metres; NaN "
-          "without such an echo or without ground truth.");
+          "without such an echo or without ground truth.")
+      .def_property_readonly(
+          "soundings", &soundings_of_line,
+          "Soundings of a multibeam, a structured array [pings, beams] as Ping.soundings; else None.");
 }
 
 }  // namespace
 
 void bind_line(py::module_& module) {
-  LineClass line(
-      module, "Line",
-      "A line of pings of a side-scan sonar: arrays, and a sequence of Pings without labels, as functions of "
-      "lines take it: line[3], len(line), `for ping in line`.");
+  LineClass line(module, "Line",
+                 "A line of pings of a side-scan sonar or a multibeam: arrays, and a sequence of Pings without labels, "
+                 "as functions of "
+                 "lines take it: line[3], len(line), `for ping in line`.");
   add_arrays(line);
   line.def("__len__", [](const FlownLine& self) { return self.time.size(); })
       .def("__getitem__", &item_of, py::arg("number"),
@@ -89,8 +109,10 @@ void bind_line(py::module_& module) {
           "sonar", [](const FlownLine& self) { return wrap(self.facts->sonar, kPingsSonar); },
           "Settings of its sonar, a read-only SonarConfig; its copy() can be changed.")
       .def("__repr__", [](const FlownLine& self) {
-        return fmt::format("<Line of {}: {} of {} x 2 sides>", self.facts->sonar.name,
-                           counted(self.time.size(), "ping"), counted(self.intensity.shape(1), "bin"));
+        const SonarConfig& sonar = self.facts->sonar;
+        return fmt::format("<Line of {}: {} of {} x {}>", sonar.name, counted(self.time.size(), "ping"),
+                           counted(self.intensity.shape(1), "bin"),
+                           sonar.is_side_scan() ? "2 sides" : counted(self.intensity.shape(2), "beam"));
       });
 }
 

@@ -74,18 +74,6 @@ std::vector<double> altitudes_from(const py::object& given) {
   return {array.data(), array.data() + array.size()};
 }
 
-template <typename Words>
-Words word_from(const std::string& text, const char* name) {
-  std::string known;
-  for (const auto& [word, value] : words_of<Words>()) {
-    if (word == text) {
-      return value;
-    }
-    known += fmt::format("{}{}", known.empty() ? "" : ", ", word);
-  }
-  throw Error("", name, fmt::format(" = {} must be one of {}", text, known));
-}
-
 void bind_track(py::module_& m) {
   py::class_<BottomTrack>(m, "BottomTrack", "The bottom under each ping of a line.")
       .def_property_readonly(

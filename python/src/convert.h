@@ -99,4 +99,17 @@ void from_python(py::handle value, const std::string& name, double scale, std::o
 ///         transform, and for a quaternion whose norm is not within 1 % of 1.
 [[nodiscard]] Pose pose_from(py::handle value, const std::string& name);
 
+/// The value of a word. @throws Error for a word that is none of them.
+template <typename Words>
+Words word_from(const std::string& text, const char* name) {
+  std::string known;
+  for (const auto& [word, value] : words_of<Words>()) {
+    if (word == text) {
+      return value;
+    }
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", word);
+  }
+  throw Error("", name, fmt::format(" = {} must be one of {}", text, known));
+}
+
 }  // namespace insonify::python

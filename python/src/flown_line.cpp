@@ -71,6 +71,7 @@ void add_pings(FlownLine& line, const SonarConfig& sonar, std::span<const Ping> 
   float* to = line.intensity.mutable_data() + first * size;
   for (const Ping& ping : pings) {
     to = std::ranges::copy(ping.intensity, to).out;
+    line.soundings.insert(line.soundings.end(), ping.soundings.begin(), ping.soundings.end());
     line.time.push_back(ping.time);
     line.poses.push_back(ping.world_from_sonar);
     line.altitude.push_back(altitude_by_truth(ping, sonar).value_or(std::numeric_limits<double>::quiet_NaN()));
@@ -83,9 +84,11 @@ std::shared_ptr<FlownLine> fly_line(PythonSimulator& self, const py::object& son
                                     const py::object& end, const py::object& speed, const py::object& number) {
   const int sonar = self.sonar(sonar_);
   const SonarConfig config = self.known().facts[sonar]->sonar;
-  if (config.type != SonarType::kSideScan) {
+  if (!config.is_side_scan() && !config.is_multibeam()) {
     throw Error("", "sonar",
-                fmt::format(" = {} is not a side-scan sonar (type: sss); ping_batch() takes any", config.name));
+                fmt::format(" = {} is neither a side-scan sonar (type: sss) nor a multibeam (mbes); ping_batch() takes "
+                            "any",
+                            config.name));
   }
   const ScenarioRequests requests = requests_of(self, begin, end, speed, number);
   auto line = std::make_shared<FlownLine>();

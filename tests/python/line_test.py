@@ -25,7 +25,8 @@ def simulator(**changes):
     scene = insonify.Scene()
     scene.plane("floor", 120, material="sand", pose=(0, 0, -2))
     scene.box("wall", (100, 1, 4), material="concrete", pose=(0, 8.5, -1))
-    return insonify.Simulator({"world": None, "sonars": [{**SONAR, **changes}], "receiver": {"noise": False}}, scene)
+    sonar = {key: value for key, value in {**SONAR, **changes}.items() if value is not None}
+    return insonify.Simulator({"world": None, "sonars": [sonar], "receiver": {"noise": False}}, scene)
 
 
 class LineTest(unittest.TestCase):
@@ -70,6 +71,41 @@ class LineTest(unittest.TestCase):
         self.assertEqual(sim.line(begin=(0, 0, 3), end=(3, 0, 3))[0].number, 17)  # The one after the last, 16.
         np.testing.assert_array_equal(line.port, line.intensity[:, :, 0])
         self.assertTrue(np.shares_memory(line.starboard, line.intensity))
+
+    def test_of_a_multibeam_has_soundings(self):
+        sim = simulator(type="mbes", beam_count=24, azimuth_aperture_deg=90, azimuth_resolution_deg=3,
+                        elevation_aperture_deg=3, depression_deg=None)
+        line = sim.line(begin=(0, -20, 3), end=(3, -20, 3), speed=2)
+        self.assertEqual(line.soundings.shape, (6, 24))
+        self.assertEqual(line.intensity.shape, (6, 400, 24))
+        for index, ping in enumerate(line):
+            for name in ping.soundings.dtype.names:
+                np.testing.assert_array_equal(ping.soundings[name], line.soundings[index][name])
+            np.testing.assert_allclose(ping.sounding_positions()[:, 2], -2, atol=0.25)
+        self.assertEqual(repr(line), "<Line of fish: 6 pings of 400 bins x 24 beams>")
+        with self.assertRaisesRegex(AttributeError, "fish has no sides; intensity holds its beams"):
+            line.port  # pylint: disable=pointless-statement
+        self.assertEqual(line._repr_png_(), line[-1]._repr_png_())
+        self.assertIsNone(simulator().line(begin=(0, 0, 3), end=(3, 0, 3)).soundings)
+
+    def test_is_drawn_as_a_waterfall(self):
+        line = simulator().line(begin=(0, 0, 3), end=(3, 0, 3))
+        picture = insonify.draw_waterfall(line, height=300, annotations=False)
+        # The wall is to port, on the left, from 8.25 m on, and 8 m of shadow behind it.
+        half = picture.shape[1] / 2
+        wall, shadow = (np.arange(round(half * a / 20), round(half * b / 20)) for a, b in ((8.3, 8.7), (12, 16)))
+        port, starboard = picture[:, ::-1][:, round(half):], picture[:, round(half):]
+        self.assertGreater(port[:, wall].mean(), 1.2 * starboard[:, wall].mean())
+        self.assertLess(port[:, shadow].mean(), 0.3 * starboard[:, shadow].mean())
+        np.testing.assert_array_equal(picture, insonify.draw_waterfall(list(line), height=300, annotations=False))
+        self.assertNotEqual(picture.tobytes(), insonify.draw_waterfall(line[::-1], height=300, annotations=False,
+                                                                       corrected=True).tobytes())
+        for shown in (line, line[0]):
+            self.assertEqual(shown._repr_png_()[:4], b"\x89PNG")
+        with self.assertRaisesRegex(insonify.Error, "along = way must be one of ping, time, distance"):
+            insonify.draw_waterfall(line, along="way")
+        with self.assertRaisesRegex(insonify.Error, "pings must hold at least one ping"):
+            insonify.draw_waterfall([])
 
     def test_is_a_sequence_of_pings(self):
         line = simulator().line(begin=(0, 0, 3), end=(3, 0, 3))
@@ -133,7 +169,7 @@ print(len(line), line.intensity.nbytes, 1024 * (peak() - before))
             (lambda: sim.line(speed=2), "speed is that of a line from begin to end; the scenario's pings have their own"),
             (lambda: sim.line(number=2), "number is that of a line from begin to end; the scenario's pings have their own"),
             (lambda: ahead.line(begin=(0, 0, 3), end=(1, 0, 3)),
-             "sonar = ahead is not a side-scan sonar (type: sss); ping_batch() takes any")):
+             "sonar = ahead is neither a side-scan sonar (type: sss) nor a multibeam (mbes); ping_batch() takes any")):
             with self.assertRaisesRegex(insonify.Error, "^" + re.escape(message) + "$"):
                 call()
 
