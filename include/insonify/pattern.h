@@ -148,7 +148,7 @@ void SurveyLines::visit_fields(Self& self, Visit&& visit) {
   visit(Field{"spacing", "m", above_to(0, 1e6), "Distance between lines. Or `overlap`."}, self.spacing);
   visit(Field{"overlap", "", from_to(0, 0.95),
               "Share of the swath that the next line covers too; the swath is that of the first sonar that has one "
-              "(type sss) at this altitude."},
+              "(type sss or mbes) at this altitude."},
         self.overlap);
   visit(Field{"speed", "m/s", above_to(0, 50), "Speed over ground."}, self.speed);
   visit(Field{"turn_radius", "m", above_to(0, 1e4),

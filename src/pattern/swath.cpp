@@ -12,10 +12,11 @@
 namespace insonify {
 
 std::optional<double> half_swath(const SonarConfig& sonar, double altitude) {
-  if (!sonar.is_side_scan()) {
+  if (!sonar.is_side_scan() && !sonar.is_multibeam()) {
     return std::nullopt;
   }
-  return std::sqrt(std::max(0.0, sonar.max_range * sonar.max_range - altitude * altitude));
+  const double reach = std::sqrt(std::max(0.0, sonar.max_range * sonar.max_range - altitude * altitude));
+  return sonar.is_multibeam() ? std::min(reach, altitude * std::tan(0.5 * sonar.azimuth_aperture)) : reach;
 }
 
 const SonarConfig* swath_sonar(std::span<const SonarConfig> sonars) {
@@ -29,9 +30,10 @@ namespace {
 double spacing_by_overlap(const SurveyLines& lines, std::span<const SonarConfig> sonars) {
   const SonarConfig* sonar = swath_sonar(sonars);
   if (sonar == nullptr) {
-    throw Error("pattern.lines", "overlap",
-                fmt::format(" = {:.4g} needs a sonar with a swath on both sides (type sss); give spacing instead",
-                            *lines.overlap));
+    throw Error(
+        "pattern.lines", "overlap",
+        fmt::format(" = {:.4g} needs a sonar with a swath on both sides (type sss or mbes); give spacing instead",
+                    *lines.overlap));
   }
   const double half = *half_swath(*sonar, *lines.altitude + sonar->position.z());
   if (!(half > 0)) {

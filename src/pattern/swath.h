@@ -11,7 +11,8 @@
 namespace insonify {
 
 /// Half of the width of the strip that a sonar covers [m]: the ground range of its max_range over a flat bed,
-/// sqrt(R^2 - h^2), 0 where the bed is further away. Absent for a sonar that looks ahead.
+/// sqrt(R^2 - h^2), 0 where the bed is further away; of a multibeam at most that of its outermost beams, h tan(aperture
+/// / 2). Absent for a sonar that looks ahead.
 /// @param altitude  Of the vehicle above the bed [m].
 [[nodiscard]] std::optional<double> half_swath(const SonarConfig& sonar, double altitude);
 

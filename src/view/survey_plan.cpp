@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "insonify/error.h"
 #include "insonify/scenario_requests.h"
@@ -16,7 +18,6 @@ namespace {
 
 constexpr int kStations = 200;    // Places along a line at which swaths are worked out.
 constexpr int kBedPixels = 1000;  // Along the longer side.
-constexpr int kCoverCells = 300;  // Along each side of the area.
 
 // A line's altitude at one of kStations + 1 places.
 double altitude_at(const SurveyFlight& flight, const PathPiece& line, int station) {
@@ -55,25 +56,27 @@ PlannedLine planned_line(const SurveyFlight& flight, int index, const SonarConfi
   return line;
 }
 
-// Share of the area that lies within a sonar's swaths.
+// Share of the area that lies within a sonar's swaths: exact across the lines, at stations along them.
 double covered_share(const SurveyLines& lines, const SurveyFlight& flight,
                      const std::vector<std::vector<double>>& halves) {
   const int count = flight.path.line_count;
   const double first = 0.5 * (lines.width - (count - 1) * flight.path.spacing);
-  int covered = 0;
-  for (int row = 0; row < kCoverCells; ++row) {
-    const double across = lines.width * (row + 0.5) / kCoverCells;
-    for (int column = 0; column < kCoverCells; ++column) {
-      const double along = (column + 0.5) / kCoverCells * kStations;
-      bool is_covered = false;
-      for (int i = 0; i < count && !is_covered; ++i) {
-        const int station = static_cast<int>(std::lround(i % 2 == 0 ? along : kStations - along));
-        is_covered = std::abs(across - first - i * flight.path.spacing) <= halves[i][station];
-      }
-      covered += is_covered ? 1 : 0;
+  double covered = 0;
+  for (int station = 0; station <= kStations; ++station) {
+    std::vector<std::pair<double, double>> strips;
+    for (int i = 0; i < count; ++i) {
+      const double half = halves[i][i % 2 == 0 ? station : kStations - station];
+      const double middle = first + i * flight.path.spacing;
+      strips.emplace_back(std::max(0.0, middle - half), std::min(lines.width, middle + half));
+    }
+    std::ranges::sort(strips);
+    double end = 0;  // Of what is covered so far.
+    for (const auto& [low, high] : strips) {
+      covered += std::max(0.0, high - std::max(low, end));
+      end = std::max(end, high);
     }
   }
-  return static_cast<double>(covered) / (kCoverCells * kCoverCells);
+  return covered / (lines.width * (kStations + 1));
 }
 
 void add_swath(const SurveyLines& lines, const SurveyFlight& flight, const SonarConfig& sonar, PlannedSonar& planned) {

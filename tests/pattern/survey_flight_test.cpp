@@ -207,11 +207,12 @@ TEST(SurveyFlightTest, RefusesWhatIsSaidTwiceOrNotAtAll) {
             "pattern.lines.center has 3 numbers, must have two: [x, y]");
   EXPECT_EQ(with([](SurveyLines& lines) { lines.spacing.reset(); }),
             "pattern.lines must have spacing or overlap: how far lines are apart");
-  EXPECT_EQ(with([](SurveyLines& lines) {
-              lines.spacing.reset();
-              lines.overlap = 0.2;
-            }),
-            "pattern.lines.overlap = 0.2 needs a sonar with a swath on both sides (type sss); give spacing instead");
+  EXPECT_EQ(
+      with([](SurveyLines& lines) {
+        lines.spacing.reset();
+        lines.overlap = 0.2;
+      }),
+      "pattern.lines.overlap = 0.2 needs a sonar with a swath on both sides (type sss or mbes); give spacing instead");
   EXPECT_EQ(with([](SurveyLines& lines) { lines.width = 1e6; }),
             "pattern.lines.width = 1000000 m holds 1e+05 lines 10 m apart; at most 10000");
   EXPECT_EQ(with([](SurveyLines& lines) { lines.length = 1e6, lines.width = 1000; }).substr(0, 26),

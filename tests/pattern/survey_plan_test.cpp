@@ -70,6 +70,24 @@ TEST(SurveyPlanTest, SwathIsTheGroundRangeOnBothSides) {
   EXPECT_EQ(*sonar.covered, 1);
 }
 
+// A multibeam of 100 degrees: at 5 m above the bed 5 tan(50 deg) to either side, or as far as its range reaches.
+TEST(SurveyPlanTest, SwathOfAMultibeamEndsWithItsOutermostBeams) {
+  Scenario scenario = survey_scenario(three_lines());
+  SonarConfig& sonar = scenario.sonars[0];
+  sonar.type = SonarType::kMultibeam;
+  sonar.beam_count = 50;
+  sonar.azimuth_aperture = radians_from_degrees(100);
+  sonar.elevation_aperture = radians_from_degrees(2);
+  sonar.max_range = 13;
+  const double wide = 10 * std::tan(radians_from_degrees(50));
+  const SurveyPlan plan = plan_survey(scenario, flat_scene());
+  EXPECT_EQ(plan.swath_sonar, 0);
+  EXPECT_NEAR(*plan.sonars[0].least_swath, wide, 1e-3);
+  EXPECT_NEAR(*plan.sonars[0].overlap, 1 - 10 / wide, 1e-4);
+  sonar.max_range = 6;
+  EXPECT_NEAR(*plan_survey(scenario, flat_scene()).sonars[0].most_swath, 2 * std::sqrt(11), 1e-3);
+}
+
 TEST(SurveyPlanTest, SpacingFollowsFromTheOverlap) {
   Scenario scenario = side_scan_scenario();
   scenario.pattern->lines.spacing.reset();
@@ -87,7 +105,7 @@ TEST(SurveyPlanTest, CountsWhatNoSwathCovers) {
   scenario.pattern->lines.spacing = 40;
   scenario.pattern->lines.width = 120;
   const SurveyPlan plan = plan_survey(scenario, flat_scene());
-  EXPECT_NEAR(*plan.sonars[0].covered, 0.6, 0.01);  // Cells are 0.4 m wide.
+  EXPECT_NEAR(*plan.sonars[0].covered, 0.6, 1e-9);
   EXPECT_NEAR(*plan.sonars[0].overlap, 1 - 40.0 / 24, 1e-5);
 }
 

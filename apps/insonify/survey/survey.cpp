@@ -30,6 +30,11 @@ std::string span_text(double least, double most, const char* unit) {
   return low == high ? fmt::format("{} {}", low, unit) : fmt::format("{} to {} {}", low, high, unit);
 }
 
+std::string length_text(double metres) {
+  constexpr double kLong = 10'000, kKilometre = 1000;
+  return metres < kLong ? fmt::format("{:.5g} m", metres) : fmt::format("{:.4g} km", metres / kKilometre);
+}
+
 void print_lines(const SurveyPlan& plan) {
   std::vector<Row> rows = {{"line", "from x, y", "to x, y", "begins", "ends", "altitude"}};
   for (std::size_t i = 0; i < plan.lines.size(); ++i) {
@@ -49,10 +54,11 @@ void print_lines(const SurveyPlan& plan) {
 }
 
 void print_whole(const SurveyPlan& plan) {
-  say("\n{}{}: {:.5g} m on lines, {:.5g} m with turns, {} at {:.3g} m/s; steepest {:.3g} deg; {}\n\n",
+  say("\n{}{}: {} on lines, {} with turns, {} at {:.3g} m/s; steepest {:.3g} deg; {}\n\n",
       counted(plan.lines.size(), "line"),
-      plan.spacing > 0 ? fmt::format(", {:.4g} m apart", plan.spacing) : std::string(), plan.line_length, plan.length,
-      time_text(plan.duration), plan.length / plan.duration, std::round(10 * degrees_from_radians(plan.steepest)) / 10,
+      plan.spacing > 0 ? fmt::format(", {:.4g} m apart", plan.spacing) : std::string(), length_text(plan.line_length),
+      length_text(plan.length), time_text(plan.duration), plan.length / plan.duration,
+      std::round(10 * degrees_from_radians(plan.steepest)) / 10,
       plan.pings_on_turns ? "pings on turns too" : "no pings on turns");
 }
 
