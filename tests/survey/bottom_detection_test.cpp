@@ -5,9 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <numeric>
 #include <random>
 
 #include "insonify/error.h"
@@ -34,12 +36,31 @@ Pose looking_down(double roll = 0) {
   return pose;
 }
 
+// Normal deviates that are the same but for a sliding window of `length`: as a pulse of so many bins leaves them.
+class Correlated {
+ public:
+  Correlated(int length, std::mt19937& random) : window_(static_cast<std::size_t>(length)), random_(random) {
+    std::ranges::generate(window_, [&] { return normal_(random_); });
+  }
+  double operator()() {
+    window_[next_++ % window_.size()] = normal_(random_);
+    return std::accumulate(window_.begin(), window_.end(), 0.0) / std::sqrt(static_cast<double>(window_.size()));
+  }
+
+ private:
+  std::vector<double> window_;
+  std::size_t next_ = 0;
+  std::mt19937& random_;
+  std::normal_distribution<double> normal_;
+};
+
 // Echoes of a bed whose range in each beam is given: as wide as a footprint of `width` on a level bed, of Rayleigh
 // speckle, with the phase of a beam of that width.
+// @param pulse  Bins that vary together.
 Ping ping_of(const SonarConfig& sonar, const std::function<double(double)>& range_of, double width, double noise,
-             unsigned seed, const Pose& pose = looking_down()) {
+             unsigned seed, const Pose& pose = looking_down(), int pulse = 1) {
   std::mt19937 random(seed);
-  std::normal_distribution<double> normal;
+  Correlated normal(pulse, random), quadrature(pulse, random), of_phase(pulse, random);
   Ping ping;
   ping.beam_count = sonar.beam_count;
   ping.bin_count = sonar.bin_count;
@@ -52,10 +73,10 @@ Ping ping_of(const SonarConfig& sonar, const std::function<double(double)>& rang
     for (int bin = 0; bin < ping.bin_count; ++bin) {
       const double off = (sonar.bin_range(bin) - range) / footprint;
       const double mean = std::exp(-4 * std::numbers::ln2 * off * off) + noise;
-      const double u = normal(random), v = normal(random);
+      const double u = normal(), v = quadrature();
       const std::size_t at = ping.index(bin, beam);
       ping.intensity[at] = static_cast<float>(0.5 * mean * (u * u + v * v));
-      const double phase = std::copysign(0.88 * std::numbers::pi * off, azimuth * off) + 0.5 * normal(random);
+      const double phase = std::copysign(0.88 * std::numbers::pi * off, azimuth * off) + 0.5 * of_phase();
       ping.phase[at] = static_cast<float>(std::remainder(phase, 2 * std::numbers::pi));
     }
   }
@@ -108,6 +129,33 @@ TEST(BottomDetectionTest, StatesItsUncertainty) {
     EXPECT_GT(std::sqrt(stated / squares), 0.5) << beam;
     EXPECT_LT(std::sqrt(stated / squares), 2.5) << beam;
   }
+}
+
+// The same with pulses of 7 bins, which vary together: as many bins are fewer samples.
+TEST(BottomDetectionTest, StatesItsUncertaintyWithLongPulses) {
+  const SonarConfig sonar = multibeam(31);
+  constexpr double kDepth = 22.9;
+  constexpr int kPulse = 7, kPings = 60;
+  const BottomDetector detector(sonar, {.resolution = kPulse * sonar.bin_length()});
+  double ratios = 0;
+  for (const int beam : {0, 1, 29, 30}) {
+    const double azimuth = sonar.beam_azimuth(beam), range = kDepth / std::cos(azimuth);
+    double squares = 0, stated = 0;
+    int by_phase = 0;
+    for (int i = 0; i < kPings; ++i) {
+      const Ping ping = ping_of(
+          sonar, [](double a) { return kDepth / std::cos(a); }, 1.3 * kDegree, 1e-4, static_cast<unsigned>(300 + i),
+          looking_down(), kPulse);
+      const Sounding sounding = detector.detect(ping)[static_cast<std::size_t>(beam)];
+      by_phase += sounding.detection == Detection::kPhase ? 1 : 0;
+      squares += std::pow(static_cast<double>(sounding.range) - range, 2);
+      stated += std::pow(static_cast<double>(sounding.uncertainty), 2);
+    }
+    EXPECT_GT(by_phase, kPings / 3) << beam;
+    ratios += std::sqrt(stated / squares) / 4;
+  }
+  EXPECT_GT(ratios, 0.8);
+  EXPECT_LT(ratios, 2);
 }
 
 TEST(BottomDetectionTest, FollowsASlopeAndAStep) {

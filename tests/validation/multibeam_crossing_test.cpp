@@ -172,7 +172,10 @@ TEST(MultibeamCrossingTest, ThePapersModelFindsTheBottomByAmplitude) {
   scenario.model = EchoModel::kPaper;
   scenario.engine = "cpu";
   scenario.sonars = {sonar};
-  const Ping ping = ping_at(scenario, seabed_at(-kDepth, diffuse(-24)));
+  // The ping was one of the other model, with phases.
+  Ping ping = ping_at(speckled(crossed_lines()), seabed_at(-kDepth, diffuse(-24)));
+  ASSERT_FALSE(ping.phase.empty());
+  Simulator(scenario, seabed_at(-kDepth, diffuse(-24)), 1).ping(0, {}, ping);
   EXPECT_TRUE(ping.phase.empty());
   for (int beam = 6; beam < ping.beam_count - 6; ++beam) {
     const Sounding& sounding = ping.soundings[static_cast<std::size_t>(beam)];
