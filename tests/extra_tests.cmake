@@ -4,6 +4,10 @@
 add_test(NAME include_directions
   COMMAND Python3::Interpreter tools/check_includes.py WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
 
+# Types of one name are of one kind.
+add_test(NAME type_names
+  COMMAND Python3::Interpreter tools/check_names.py include src apps python/src WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+
 # Functions fit on a screen.
 add_test(NAME function_lengths
   COMMAND Python3::Interpreter tools/check_functions.py src

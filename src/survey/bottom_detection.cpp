@@ -169,6 +169,11 @@ Snippet BottomDetector::gate(double depth, double cosine) const {
   return {bin_of(kLeastDepth * depth / cosine), bin_of(kGreatestDepth * depth / cosine)};
 }
 
+// Whether an echo goes on where the bins end, so that its middle is not known. Bin 0 is at the sonar itself.
+bool BottomDetector::is_cut(const Snippet& snippet) const {
+  return snippet.end >= last_bin_ || (snippet.begin <= first_bin_ && first_bin_ > 0);
+}
+
 void BottomDetector::detect(const Ping& ping, std::vector<Sounding>& soundings) const {
   check_ping(ping, sonar_);
   soundings.assign(static_cast<std::size_t>(ping.beam_count), Sounding());
@@ -198,7 +203,7 @@ void BottomDetector::detect(const Ping& ping, std::vector<Sounding>& soundings) 
       const auto beyond = find_echo(row, {std::max(gate.begin, ring.end), gate.end}, least, to_port);
       echo = beyond ? beyond : echo;
     }
-    if (echo) {
+    if (echo && !is_cut(echo->snippet)) {
       set(soundings[beam], intensity, *echo);
       before.depths.add(double{soundings[beam].range} * cosines[beam]);
       before.levels.add(double{soundings[beam].intensity});

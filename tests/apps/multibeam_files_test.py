@@ -474,6 +474,12 @@ class MultibeamFilesTest(unittest.TestCase):
                 (("line/swath.h5", "-o", "a.xyz", "--profile", "none.svp"), "none.svp: no such file")):
             done = insonify("export", *arguments)
             self.assertEqual((done.returncode, done.stderr), (2, f"insonify: {message}\n"))
+        with open("short.csv", "w", encoding="ascii") as file:
+            file.write("depth,speed\n0,1500\n5,1490\n")
+        done = insonify("export", "line/swath.h5", "-o", "a.xyz", "--profile", "short.csv")
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr,
+                         r"^insonify: profile ends at 5 m, above the bottom, which reaches down to 9\.\d+ m\n$")
         done = insonify("export", "blind/swath.h5", "-o", "a.xyz")
         self.assertEqual(done.returncode, 1)
         self.assertEqual(done.stderr, "insonify: a.xyz: there is no sounding to write: no beam found the bottom\n")

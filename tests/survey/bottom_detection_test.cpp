@@ -177,6 +177,36 @@ TEST(BottomDetectionTest, FollowsASlopeAndAStep) {
   }
 }
 
+// Beams whose bottom is farther away than the last bin hear its near edge, or side lobes: neither is a sounding.
+TEST(BottomDetectionTest, FindsNothingThatTheRangeCuts) {
+  SonarConfig sonar = multibeam();
+  sonar.max_range = 30.5;
+  sonar.bin_count = 750;
+  constexpr double kDepth = 19.3;
+  const Ping ping = ping_of(
+      sonar, [](double a) { return kDepth / std::cos(a); }, 1.2 * kDegree, 1e-4, 17);
+  int beyond = 0;
+  for (const Sounding& sounding : BottomDetector(sonar).detect(ping)) {
+    const double range = kDepth / std::cos(static_cast<double>(sounding.azimuth));
+    const double footprint =
+        std::max(0.12, range * std::abs(std::tan(static_cast<double>(sounding.azimuth))) * 1.2 * kDegree);
+    if (range > sonar.max_range) {
+      EXPECT_FALSE(sounding.found()) << range;
+      ++beyond;
+    } else if (range < sonar.max_range - 1.5 * footprint) {
+      EXPECT_TRUE(sounding.found()) << range;
+    }
+    if (sounding.found()) {
+      EXPECT_NEAR(static_cast<double>(sounding.range), range, 0.03 + 0.35 * footprint);
+    }
+  }
+  EXPECT_GT(beyond, 10);
+  // The same where the bottom comes nearer than what is searched.
+  BottomDetectionOptions options;
+  options.least_range = 19.4;
+  EXPECT_FALSE(BottomDetector(sonar, options).detect(ping)[40].found());
+}
+
 // Straight below the bed mirrors sound into the side lobes of all beams: a ring, stronger than their own echoes.
 TEST(BottomDetectionTest, IsNotCaughtByTheRing) {
   const SonarConfig sonar = multibeam();

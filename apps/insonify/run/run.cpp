@@ -142,7 +142,8 @@ bool make_batch(Simulator& simulator, std::span<const PingOrder> orders) {
 
 // Computes the pings of all sonars in order of time, until all are done or a stop is requested.
 // @return  Computing time without recording and drawing [s].
-double make_pings(Simulator& simulator, const ScenarioRequests& requests, std::vector<Track>& tracks, bool quiet) {
+double make_pings(Simulator& simulator, const ScenarioRequests& requests, std::vector<SonarOutput>& tracks,
+                  bool quiet) {
   Progress progress(requests.total_pings(), quiet);
   PingSchedule schedule(requests);
   double computing = 0;
@@ -157,7 +158,7 @@ double make_pings(Simulator& simulator, const ScenarioRequests& requests, std::v
         if (!made) {
           simulator.ping({&order, 1});
         }
-        Track& track = tracks[static_cast<std::size_t>(order.sonar)];
+        SonarOutput& track = tracks[static_cast<std::size_t>(order.sonar)];
         if (track.made == 0) {
           track.first_ping = first_ping_text(simulator.scene(), simulator.sonar(order.sonar), *order.ping);
         }
@@ -171,7 +172,7 @@ double make_pings(Simulator& simulator, const ScenarioRequests& requests, std::v
 }
 
 // make_pings() whose errors say where the pings made so far are.
-double make_pings_or_explain(Simulator& simulator, const ScenarioRequests& requests, std::vector<Track>& tracks,
+double make_pings_or_explain(Simulator& simulator, const ScenarioRequests& requests, std::vector<SonarOutput>& tracks,
                              PictureFolder& pictures, bool quiet) {
   try {
     return make_pings(simulator, requests, tracks, quiet);
@@ -183,7 +184,8 @@ double make_pings_or_explain(Simulator& simulator, const ScenarioRequests& reque
 }
 
 // Prints hints for sonars with no or only weak echoes.
-void print_hints(const Simulator& simulator, const std::vector<Track>& tracks, const Display& display, bool quiet) {
+void print_hints(const Simulator& simulator, const std::vector<SonarOutput>& tracks, const Display& display,
+                 bool quiet) {
   for (std::size_t i = 0; i < tracks.size(); ++i) {
     const Loudness& loudness = tracks[i].loudness;
     const int sonar = static_cast<int>(i);
@@ -224,14 +226,14 @@ int run(const RunOptions& options) {
   note_when_asked();
   simulator.stop_when(&stop_asked());
   PictureFolder pictures(folder, names_of(simulator.scenario().sonars));
-  std::vector<Track> tracks =
+  std::vector<SonarOutput> tracks =
       start_tracks(simulator, requests, options, choice, pictures, record_options(options, style));
   const std::vector<std::filesystem::path> view_files = write_views(views, pictures);
 
   const double computing = make_pings_or_explain(simulator, requests, tracks, pictures, options.quiet);
   const bool replaced = finish_tracks(tracks, pictures, options.quiet);
   std::uint64_t made = 0;
-  for (const Track& track : tracks) {
+  for (const SonarOutput& track : tracks) {
     made += track.made;
   }
 

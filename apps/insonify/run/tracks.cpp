@@ -33,7 +33,7 @@ PictureStyle track_style(const PictureOptions& options, const Scenario& scenario
   return picture_style(own, scenario.model, scenario.receiver_of(sonar), sonar);
 }
 
-void Track::add(const Ping& ping) {
+void SonarOutput::add(const Ping& ping) {
   for (const auto& sink : sinks) {
     sink->add(0, ping);
   }
@@ -41,7 +41,7 @@ void Track::add(const Ping& ping) {
   ++made;
 }
 
-std::vector<std::filesystem::path> Track::places() const {
+std::vector<std::filesystem::path> SonarOutput::places() const {
   std::vector<std::filesystem::path> places;
   for (std::size_t i = 0; i < files.size(); ++i) {
     places.push_back(sinks[i]->place());
@@ -49,14 +49,15 @@ std::vector<std::filesystem::path> Track::places() const {
   return places;
 }
 
-std::vector<Track> start_tracks(const Simulator& simulator, const ScenarioRequests& requests, const RunOptions& options,
-                                const PictureChoice& choice, PictureFolder& pictures, const RecordOptions& recording) {
+std::vector<SonarOutput> start_tracks(const Simulator& simulator, const ScenarioRequests& requests,
+                                      const RunOptions& options, const PictureChoice& choice, PictureFolder& pictures,
+                                      const RecordOptions& recording) {
   const Scenario& scenario = simulator.scenario();
-  std::vector<Track> tracks(scenario.sonars.size());
+  std::vector<SonarOutput> tracks(scenario.sonars.size());
   for (std::size_t i = 0; i < tracks.size(); ++i) {
     const int index = static_cast<int>(i);
     const SonarConfig& sonar = simulator.sonar(index);
-    Track& track = tracks[i];
+    SonarOutput& track = tracks[i];
     for (const RecordingFormat* format : options.record) {
       track.files.push_back(pictures.path() / (sonar.name + format->ending()));
       track.sinks.push_back(format->open(track.files.back(), {scenario, simulator.scene(), {&sonar, 1}}, recording));
@@ -69,12 +70,12 @@ std::vector<Track> start_tracks(const Simulator& simulator, const ScenarioReques
   return tracks;
 }
 
-bool discard_without_pings(std::vector<Track>& tracks, PictureFolder& pictures) {
-  if (std::ranges::any_of(tracks, [](const Track& track) { return track.made > 0; })) {
+bool discard_without_pings(std::vector<SonarOutput>& tracks, PictureFolder& pictures) {
+  if (std::ranges::any_of(tracks, [](const SonarOutput& track) { return track.made > 0; })) {
     return false;
   }
   std::vector<std::filesystem::path> files;
-  for (const Track& track : tracks) {
+  for (const SonarOutput& track : tracks) {
     const std::vector<std::filesystem::path> places = track.places();
     files.insert(files.end(), places.begin(), places.end());
   }
@@ -87,9 +88,9 @@ bool discard_without_pings(std::vector<Track>& tracks, PictureFolder& pictures) 
   return true;
 }
 
-std::string kept_beside(const std::vector<Track>& tracks) {
+std::string kept_beside(const std::vector<SonarOutput>& tracks) {
   std::string text;
-  for (const Track& track : tracks) {
+  for (const SonarOutput& track : tracks) {
     const std::vector<std::filesystem::path> places = track.places();
     for (std::size_t i = 0; i < places.size() && track.made > 0; ++i) {
       if (places[i] != track.files[i]) {
@@ -101,12 +102,12 @@ std::string kept_beside(const std::vector<Track>& tracks) {
   return text;
 }
 
-bool finish_tracks(std::vector<Track>& tracks, PictureFolder& pictures, bool quiet) {
+bool finish_tracks(std::vector<SonarOutput>& tracks, PictureFolder& pictures, bool quiet) {
   if (discard_without_pings(tracks, pictures)) {
     throw Error("interrupted before the first ping");
   }
   bool replaced = false;
-  for (Track& track : tracks) {
+  for (SonarOutput& track : tracks) {
     replaced = replaced || track.places() != track.files;
     for (const auto& sink : track.sinks) {
       sink->close();
@@ -125,7 +126,7 @@ std::string listed(const std::vector<std::filesystem::path>& files) {
   return fmt::format("{} ... {} ({})", files.front().string(), files.back().string(), counted(files.size(), "picture"));
 }
 
-void print_track(const Track& track, const SonarConfig& sonar) {
+void print_track(const SonarOutput& track, const SonarConfig& sonar) {
   say("{}: {} of {} x {} to {:.4g} m{}{}\n", sonar.name, counted(track.made, "ping"),
       counted(static_cast<std::uint64_t>(sonar.beam_count), "beam"),
       counted(static_cast<std::uint64_t>(sonar.bin_count), "bin"), sonar.max_range,

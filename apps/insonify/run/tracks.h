@@ -18,7 +18,7 @@
 namespace insonify {
 
 /// One sonar in a run, and everything that is written of it.
-struct Track {
+struct SonarOutput {
   /// What takes the pings: a recording in each format that was asked for, DIR/NAME.h5, DIR/NAME.mcap, then pictures.
   std::vector<std::unique_ptr<PingSink>> sinks = {};
   std::vector<std::filesystem::path> files = {};  ///< Names that the recordings have in the end.
@@ -40,22 +40,22 @@ struct Track {
                                        const SonarConfig& sonar);
 
 /// Starts the recordings and the pictures of each sonar.
-[[nodiscard]] std::vector<Track> start_tracks(const Simulator& simulator, const ScenarioRequests& requests,
-                                              const RunOptions& options, const PictureChoice& choice,
-                                              PictureFolder& pictures, const RecordOptions& recording);
+[[nodiscard]] std::vector<SonarOutput> start_tracks(const Simulator& simulator, const ScenarioRequests& requests,
+                                                    const RunOptions& options, const PictureChoice& choice,
+                                                    PictureFolder& pictures, const RecordOptions& recording);
 
 /// Removes recordings and pictures of this run if it made no ping: they would only block the next run.
 /// @return  Whether it made no ping.
-bool discard_without_pings(std::vector<Track>& tracks, PictureFolder& pictures);
+bool discard_without_pings(std::vector<SonarOutput>& tracks, PictureFolder& pictures);
 
 /// Lists recordings that have not replaced those of an earlier run, with their paths; "" if there are none.
-[[nodiscard]] std::string kept_beside(const std::vector<Track>& tracks);
+[[nodiscard]] std::string kept_beside(const std::vector<SonarOutput>& tracks);
 
 /// Replaces recordings and pictures of an earlier run by the new ones.
 /// @return  Whether there was an earlier recording.
-bool finish_tracks(std::vector<Track>& tracks, PictureFolder& pictures, bool quiet);
+bool finish_tracks(std::vector<SonarOutput>& tracks, PictureFolder& pictures, bool quiet);
 
-void print_track(const Track& track, const SonarConfig& sonar);
+void print_track(const SonarOutput& track, const SonarConfig& sonar);
 
 /// Paths of pictures in one line: all of two, the first and the last of more.
 [[nodiscard]] std::string listed(const std::vector<std::filesystem::path>& files);

@@ -32,7 +32,8 @@ class BottomDetector {
   /// @throws Error for a sonar that is not a multibeam, and for options out of limits.
   explicit BottomDetector(const SonarConfig& sonar, const BottomDetectionOptions& options = {});
 
-  /// The bottom in each beam; not found where no echo is 10 dB above the beam's median and where a beam looks up.
+  /// The bottom in each beam; not found where no echo is 10 dB above the beam's median, where one is cut by the first or
+  /// the last bin, and where a beam looks up.
   /// @throws Error for a ping of another shape than the sonar's.
   [[nodiscard]] std::vector<Sounding> detect(const Ping& ping) const;
 
@@ -43,6 +44,7 @@ class BottomDetector {
   void set(Sounding& sounding, std::span<const float> intensity, const BeamEcho& echo) const;
   [[nodiscard]] int footprint(int beam, double depth, double cosine) const;
   [[nodiscard]] Snippet gate(double depth, double cosine) const;
+  [[nodiscard]] bool is_cut(const Snippet& snippet) const;
   [[nodiscard]] double range_of(double place) const { return sonar_.min_range + place * sonar_.bin_length(); }
 
   SonarConfig sonar_;

@@ -97,7 +97,8 @@ SwathLine::SwathLine(RecordedSonars recordings, const ExportOptions& options)
   for (const auto& recording : recordings) {
     survey(*recording);
   }
-  for_each([this](std::size_t, const SwathPing& ping) {
+  double deepest = 0;  // Below the surface.
+  for_each([&](std::size_t sonar, const SwathPing& ping) {
     extent_.first_ns = std::min(extent_.first_ns, ping.time_ns);
     extent_.last_ns = std::max(extent_.last_ns, ping.time_ns);
     for (const SwathBeam& beam : ping.beams) {
@@ -105,9 +106,14 @@ SwathLine::SwathLine(RecordedSonars recordings, const ExportOptions& options)
         ++extent_.found;
         const std::array<double, 2> place = place_of(beam.position);
         extent_.places.extend(Vec3(place[0], place[1], beam.depth));
+        deepest = std::max(deepest, sonars_[sonar].surface - beam.position.z());
       }
     }
   });
+  if (profile_ && !profile_->is_constant() && deepest > profile_->last_depth()) {
+    throw Error(fmt::format("profile ends at {:.4g} m, above the bottom, which reaches down to {:.4g} m",
+                            profile_->last_depth(), deepest));
+  }
 }
 
 void SwathLine::survey(const RecordedTables& recording) {

@@ -63,7 +63,7 @@ struct SwathExtent {
 class SwathLine {
  public:
   /// Reads all pings once, for the tracks and the extent.
-  /// @throws Error for a recording without soundings.
+  /// @throws Error for a recording without soundings, and for a profile that ends above one.
   SwathLine(RecordedSonars recordings, const ExportOptions& options);
 
   [[nodiscard]] const std::vector<SwathSonar>& sonars() const { return sonars_; }
