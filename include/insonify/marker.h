@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,13 +14,17 @@ namespace insonify {
 
 struct Marker {
   std::string name;
-  Vec3 position = Vec3::Zero();  ///< World frame [m].
-  double time = 0;               ///< Of the ping on which it was set [s].
-  std::string sonar;             ///< Whose ping that is.
-  std::uint64_t ping = 0;        ///< Its number.
+  Vec3 position = Vec3::Zero();                ///< World frame [m].
+  double time = 0;                             ///< Of the ping on which it was set [s].
+  std::string sonar;                           ///< Whose ping that is.
+  std::uint64_t ping = 0;                      ///< Its number.
+  std::optional<double> range = std::nullopt;  ///< Slant range on that ping [m]; none where the operator's program did
+                                               ///< not write one.
+  std::string side = "";                       ///< "port" or "starboard" of a side-scan sonar, else empty.
 };
 
-/// A marker in a recording: a JSON object {"name", "position": [x, y, z], "time", "sonar", "ping"}.
+/// A marker in a recording: a JSON object {"name", "position": [x, y, z], "time", "sonar", "ping"}, with
+/// "range" and "side" where it has them.
 [[nodiscard]] std::string marker_text(const Marker& marker);
 
 /// @throws Error for a text that is not one of marker_text().

@@ -187,11 +187,18 @@ void add_axes(RecordedClass& recorded) {
                                  {"time", py::float_(marker.time)},
                                  {"sonar", py::str(marker.sonar)},
                                  {"ping", py::int_(marker.ping)}});
+              if (marker.range) {
+                markers.back()["range"] = py::float_(*marker.range);
+              }
+              if (!marker.side.empty()) {
+                markers.back()["side"] = py::str(marker.side);
+              }
             }
             return markers;
           },
           "What an operator has marked in the viewer, a list of dicts: name; position, x, y and z in the world in "
-          "metres; and time in seconds, name of the sonar and number of the ping on which it was marked.");
+          "metres; and time in seconds, name of the sonar and number of the ping on which it was marked; "
+          "where they are known, range, its slant range on that ping in metres, and side, port or starboard.");
 }
 
 }  // namespace

@@ -248,7 +248,7 @@ const failed = await runChecks({
   async "markers have names of their own, and are written as CSV and GeoJSON"() {
     const marker = { name: 'wreck, "stern"', position: [1, -2.5, 3.25], time: 4.5, sonar: "fls", ping: 9 };
     assert.equal(freeName([{ name: "M1" }, { name: "M3" }]), "M2");
-    assert.equal(csvOf([marker]), 'name,x,y,z,time,sonar,ping\r\n"wreck, ""stern""",1.000,-2.500,3.250,4.500,fls,9\r\n');
+    assert.equal(csvOf([marker]), 'name,x,y,z,time,sonar,ping,range,side\r\n"wreck, ""stern""",1.000,-2.500,3.250,4.500,fls,9,,\r\n');
     const { features } = JSON.parse(geoJsonOf([marker]));
     assert.deepEqual(features, [{ type: "Feature", geometry: { type: "Point", coordinates: [1, -2.5, 3.25] }, properties: { name: 'wreck, "stern"', time: 4.5, sonar: "fls", ping: 9 } }]);
   },

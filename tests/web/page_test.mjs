@@ -770,13 +770,14 @@ const failed = await runChecks({
     await until(() => get("shown"), "a picture to measure in");
     for (const range of [10, 15]) await page.mouse.click(...(await placeOf(range, 0.2)));
     const { from, to } = await until(async () => (await get("ruler"))?.to && get("ruler"), "two points");
-    assert.ok(Math.abs(Math.hypot(...from.map((each, i) => each - to[i])) - 5) < 0.6, `${from} to ${to}`);
+    assert.ok(Math.abs(Math.hypot(...from.point.map((each, i) => each - to.point[i])) - 5) < 0.6, `${from.point} to ${to.point}`);
     await press("tool-marker");
     assert.equal(await get("ruler"), null);
     server.requests.length = 0;
     await page.mouse.click(...(await placeOf(12, -0.3)));
     const { markers: [marker] } = await told("mark");
-    assert.deepEqual([marker.name, marker.sonar], ["M1", "fls"]);
+    assert.deepEqual([marker.name, marker.sonar, marker.side], ["M1", "fls", undefined]);
+    assert.ok(Math.abs(marker.range - 12) < 0.06, `${marker.range} m`);
     await page.evaluate(() => insonify.store.set({ main: "scene" }));
     await until(() => page.$eval("#scene-marks", (canvas) => canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data.some((byte) => byte > 0)), "its name in the scene");
     await page.evaluate(() => insonify.store.set({ main: "picture" }));

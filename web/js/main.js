@@ -39,8 +39,8 @@ const chooseObject = (object) => store.set({ object });
 let clicked = null;
 const useTool = setUpMarks(store, (markers) => request({ op: "mark", markers }));
 const chooseUnder = (cursor) => {
-  const { instance, labelled, world } = lookUp(store, cursor, roundPings());
-  if (world && useTool(world)) return;
+  const { instance, labelled, ping, world } = lookUp(store, cursor, roundPings());
+  if (world && useTool({ point: world, sonar: ping.sonar, number: ping.number, time: ping.time, range: cursor.range, beam: cursor.beam })) return;
   if (instance >= 0) chooseObject(instance);
   clicked = labelled || !store.get("truth") ? null : cursor;
 };
@@ -50,7 +50,7 @@ let scene = null;
 let waterfall = null;
 // The sonar picture comes first: the shaders of the others take time.
 picture.firstDrawn = () => setTimeout(() => {
-  waterfall = new WaterfallView(store, frames);
+  waterfall = new WaterfallView(store, frames, useTool);
   setTimeout(() => (scene = new SceneView(store, frames, chooseObject)), 50);
 });
 new AscanView(store, frames, roundPings);
@@ -58,8 +58,8 @@ setUpReadout(store, frames, roundPings);
 setUpDisplay(store, frames, roundPings);
 
 const session = new Session(store, notes, {
-  taken: (ping) => {
-    picture.add(ping);
+  taken: (ping, frozen) => {
+    if (!frozen) picture.add(ping);
     waterfall?.add(ping);
   },
   saved: (message) => keepSaved(message, store, notes),
@@ -91,6 +91,10 @@ const flight = new Flight(store, (message) => isRecording(store) || request(mess
 setUpSticks(flight);
 setUpGamepad(flight);
 
+const clickAtCursor = () => {
+  const cursor = store.get("cursor");
+  if (cursor) (cursor.row ? waterfall : picture).click(cursor);
+};
 const press = (id) => () => byId(id).click();
 setUpKeyboard(flight, [
   [" ", "Pause, resume", press("pause")],
@@ -110,8 +114,14 @@ setUpKeyboard(flight, [
   ["p", "Snapshot", press("shot")],
   ["k", "Ruler", press("tool-ruler")],
   ["x", "Marker", press("tool-marker")],
+  ["u", "Waterfall: ground or slant range", press("tool-ground")],
+  ["z", "Waterfall: altitude", press("tool-bottom")],
   ["j", "Video", press("video")],
-  ["Enter", "Click at the cursor", () => store.get("cursor") && picture.click(store.get("cursor"))],
+  ["Enter", "Click at the cursor", clickAtCursor],
+  ["PageDown", "Waterfall: back in time", () => waterfall?.page(1)],
+  ["PageUp", "Waterfall: forth", () => waterfall?.page(-1)],
+  ["Home", "Waterfall: the oldest", () => waterfall?.setTop(0)],
+  ["End", "Waterfall: live", () => waterfall?.setTop(null)],
   ["g", "Fit the contrast", () => fitContrast(store)],
   ["m", "Next colours", () => nextMap(store)],
   ["o", "Next overlay", () => nextOverlay(store)],

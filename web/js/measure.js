@@ -31,11 +31,11 @@ export function seenAt(pose, point) {
 
 const kShadowWidth = 3;  // degrees between the ends of what may be a shadow
 
-/** What a ruler between two points of a picture reads: { length [m], heading [degrees], rise }, where `rise` is the height of
- * what throws a shadow from the nearer to the farther end, on flat ground `altitude` [m] below the sonar: its top lies on the way
+/** What a ruler between two points of a picture reads: { length [m], heading [degrees], rise, drop }. Of a sonar that looks `down`,
+ * `drop` is how much lower the second point is [m], else null; `rise` is the height of what throws a shadow from the nearer to the farther end, on flat ground `altitude` [m] below the sonar: its top lies on the way
  * from the sonar to the shadow's end, so h = H (1 - r1 / r2) (P. Blondel, The Handbook of Sidescan Sonar, 2009). Null without an
  * altitude, or where the ends lie in other directions. */
-export function rulerFigures(pose, from, to, altitude) {
+export function rulerFigures(pose, from, to, altitude, down = false) {
   const way = subtract(to, from);
   const [a, b] = [seenAt(pose, from), seenAt(pose, to)];
   const [near, far] = [a.range, b.range].sort((x, y) => x - y);
@@ -43,12 +43,16 @@ export function rulerFigures(pose, from, to, altitude) {
   return {
     length: Math.sqrt(dot(way, way)),
     heading: headingOf(Math.atan2(way[1], way[0])),
-    rise: aligned && altitude > 0 && far > 0 ? altitude * (1 - near / far) : null,
+    drop: down ? from[2] - to[2] : null,
+    rise: !down && aligned && altitude > 0 && far > 0 ? altitude * (1 - near / far) : null,
   };
 }
 
-export function rulerText({ length, heading, rise }) {
+export function rulerText({ length, heading, rise, drop = null, across = null, along = null, ground = false }) {
   const parts = [`${number(length, 2)} m`, `heading ${String(Math.round(heading) % 360).padStart(3, "0")}°`];
+  if (across !== null) parts.push(`across ${number(across, 2)} m (${ground ? "ground" : "slant"})`);
+  if (along !== null) parts.push(`along ${number(along, 2)} m`);
+  if (drop !== null) parts.push(drop < 0 ? `${number(-drop, 2)} m higher` : `${number(drop, 2)} m lower`);
   if (rise !== null) parts.push(`height by shadow ${number(rise, 2)} m`);
   return parts.join("   ");
 }
@@ -61,9 +65,9 @@ export function freeName(markers) {
 
 const quoted = (text) => (/[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
 
-/** Markers as a table (RFC 4180): world metres, seconds of the scenario. */
+/** Markers as a table (RFC 4180): world metres, seconds of the scenario, slant range on the ping, side of a side-scan sonar. */
 export const csvOf = (markers) =>
-  ["name,x,y,z,time,sonar,ping", ...markers.map(({ name, position, time, sonar, ping }) => [quoted(name), ...position.map((x) => x.toFixed(3)), time.toFixed(3), quoted(sonar), ping].join(","))].map((line) => `${line}\r\n`).join("");
+  ["name,x,y,z,time,sonar,ping,range,side", ...markers.map(({ name, position, time, sonar, ping, range, side }) => [quoted(name), ...position.map((x) => x.toFixed(3)), time.toFixed(3), quoted(sonar), ping, range?.toFixed(3) ?? "", side ?? ""].join(","))].map((line) => `${line}\r\n`).join("");
 
 /** Markers as GeoJSON features, whose coordinates are metres in the world. */
 export const geoJsonOf = (markers) => JSON.stringify({

@@ -16,7 +16,7 @@ const kProducts = {
     azimuth: (sonar, ping, beam) => sonar.beamAzimuths[beam],
     beam: (beam) => `Beam ${beam}   `,
     chosen: "   (chosen)",                // behind the chosen beam
-    waterfall: null,                      // caption; null: that of what is chosen
+    waterfall: null,                      // caption of the waterfall; null: that of what is chosen
     sides: false,                         // whether the waterfall shows port and starboard, the track between them
     main: null,                           // the large view when such a sonar is chosen; null: as it is
     hint: "A click on the picture chooses the beam, and the object.",
@@ -51,8 +51,11 @@ kProducts.waterfall = {
 /** The kinds of picture of all products. */
 export const kPictures = [...new Set(Object.values(kProducts).flatMap(({ pictures }) => pictures))];
 
+// The fan of a multibeam looks down.
+kProducts.swath = { ...kProducts.image, hint: "The waterfall has the depths of the soundings, a column for each beam. A click on the picture chooses the beam, and the object." };
+
 /** What is drawn of a SONAR of `hello`. */
-export const productOf = (sonar) => kProducts[sonar.product];
+export const productOf = (sonar) => kProducts[sonar.type === "mbes" ? "swath" : sonar.product];
 
 /** What is drawn of the watched sonar; before there is one, of an image. */
 export const productIn = (store) => store.get("sonar")?.product ?? kProducts.image;

@@ -18,7 +18,7 @@ export class Session {
   #averager = new Averager();
   #scene = null;
 
-  /** Calls `taken(ping)` for every ping, `saved(message)` for a saved scenario, `refused(reason)` if a token is needed. */
+  /** Calls `taken(ping, frozen)` for every ping, `saved(message)` for a saved scenario, `refused(reason)` if a token is needed. */
   constructor(store, notes, { taken, saved, changed, refused }) {
     Object.assign(this, { store, notes, taken, saved, changed });
     this.connection = new Connection({
@@ -85,9 +85,11 @@ export class Session {
     if (!sonar || !this.connection.open) return;
     const tables = new Set(["level"]);
     // They are five sixths of a ping: only while they are read, or can be on a picture that stays.
-    const reads = store.get("cursor") || store.get("frozen");
+    const cursor = store.get("cursor");
+    const reads = (cursor && !cursor.row) || store.get("frozen");
     if (store.get("truth") && reads) tables.add("instance").add("material").add("elevation");
     if (store.get("showEchoes")) tables.add("elevation");
+    if (store.get("sonar").down) tables.add("sounding_range").add("detection");
     if (kOverlays.includes(store.get("overlay"))) tables.add(store.get("overlay"));
     const request = { op: "watch", sonar, tables: [...tables] };
     const text = JSON.stringify(request);
@@ -148,6 +150,7 @@ export class Session {
     store.set({
       sonar, ping: null, shown: null, cursor: null, path: [],
       mode: this.#modeFor(sonar, same),
+      waterfallOf: this.#waterfallFor(sonar, same),
       beam: same ? Math.min(store.get("beam"), sonar.beams - 1) : Math.floor(sonar.beams / 2),
     });
     this.changed();
@@ -162,6 +165,13 @@ export class Session {
     const wanted = same ? now : isNarrow ? "polar" : this.#modeBefore || now;
     if (!same) this.#modeBefore = isNarrow ? this.#modeBefore || now : "";
     return pictures.includes(wanted) ? wanted : pictures[0];
+  }
+
+  // That of a multibeam begins with depths, which others do not have.
+  #waterfallFor(sonar, same) {
+    const now = this.store.get("waterfallOf");
+    if (sonar.down) return same ? now : "depths";
+    return now === "depths" ? "strongest" : now;
   }
 
   #modeBefore = "";  // that of the sonar before a narrow one
@@ -192,11 +202,12 @@ export class Session {
     const patch = { ping, path: again ? path : restarted ? [position] : [...path.slice(-kMostPath), position] };
     const shown = store.get("shown");
     const completes = (again && shown?.number === ping.number) || (shown && !shown.tables.instance && ping.tables.instance);
-    if (store.get("frozen") && !completes) {
+    const frozen = store.get("frozen");
+    if (!again) this.taken(ping, frozen);
+    if (frozen && !completes) {
       store.set(patch);
       return;
     }
-    if (!again) this.taken(ping);
     store.set({ ...patch, shown: ping });
   }
 

@@ -14,6 +14,7 @@ export function describeSonar(sonar) {
     : sonar.azimuth_edges?.map(radians) ?? edgesOf(azimuths, aperture);
   // Edges between beams; where there are gaps between beams, both edges of each in turn.
   const each = edges.length > azimuths.length + 1 ? 2 : 1;
+  const down = sonar.type === "mbes";
   const vertical = product.gathers && sonar.mounting === "vertical";
   return {
     ...sonar,
@@ -21,6 +22,8 @@ export function describeSonar(sonar) {
     vertical,
     // A vertical head's port side points up: up is drawn upwards, and the housing's front to the right.
     up: vertical ? Math.PI / 2 : 0,  // azimuth that is drawn upwards
+    down,
+    sign: down ? -1 : 1,  // of what is ahead in the plane of the fan: a multibeam looks down
     beamAzimuths: azimuths,
     ports: azimuths.map((_, beam) => edges[each * beam]),
     starboards: azimuths.map((_, beam) => edges[each * beam + 1]),

@@ -30,7 +30,7 @@ export class Store {
   }
 }
 
-const kKept = ["map", "grid", "smooth", "truth", "theme", "side", "controls", "showEchoes", "showFan", "showSector", "showPaths"];
+const kKept = ["map", "grid", "smooth", "corrected", "bottomLine", "soundings", "truth", "theme", "side", "controls", "showEchoes", "showFan", "showSector", "showPaths"];
 
 /** A store of the page, with what the browser kept of the last visit unless that is not wanted. */
 export function makeStore({ kept: keeps = true } = {}) {
@@ -67,10 +67,13 @@ export function makeStore({ kept: keeps = true } = {}) {
     beam: 0,            // beam of A-scan and waterfall while no mouse is over the picture
     object: -1,         // chosen object
     tool: null,         // what a click on the picture does: ruler, marker, or null: it chooses beam and object
-    ruler: null,        // { from, to } as points of the world [m]; to is null until the second click
-    markers: [],        // { name, position [m], time [s], sonar, ping }
+    ruler: null,        // { from, to } as marks: see panels/marks.js; to is null until the second click
+    markers: [],        // { name, position [m], time [s], sonar, ping, perhaps range [m] and side }
     ground: null,       // height of the first surface below the vehicle [m], null: none
-    waterfallOf: "strongest",
+    waterfallOf: "strongest",  // beam; depths of a multibeam
+    corrected: false,   // whether the waterfall of a side-scan sonar has ranges on the bed
+    bottomLine: false,  // whether it has the line of the first return
+    soundings: true,    // whether the fan of a multibeam has its soundings
     camera: "chase",
     showEchoes: true,
     showFan: false,

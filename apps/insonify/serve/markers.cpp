@@ -12,6 +12,15 @@
 namespace insonify {
 namespace {
 
+// The side of a side-scan sonar on which a marker lies; empty for other sonars.
+std::string side_of(const nlohmann::json& given) {
+  const std::string side = given.contains("side") ? text_of(given, "side") : "";
+  if (!side.empty() && side != "port" && side != "starboard") {
+    throw Error("the side of a marker must be port or starboard");
+  }
+  return side;
+}
+
 Marker checked_marker(const nlohmann::json& given) {
   constexpr std::size_t kLongest = 200;
   if (!given.is_object()) {
@@ -26,7 +35,9 @@ Marker checked_marker(const nlohmann::json& given) {
           .position = numbers_of(given, "position", 3),
           .time = number_of(given, "time"),
           .sonar = text_of(given, "sonar"),
-          .ping = static_cast<std::uint64_t>(std::clamp(number_of(given, "ping"), 0.0, kMostPings))};
+          .ping = static_cast<std::uint64_t>(std::clamp(number_of(given, "ping"), 0.0, kMostPings)),
+          .range = given.contains("range") ? std::optional(number_of(given, "range")) : std::nullopt,
+          .side = side_of(given)};
 }
 
 }  // namespace

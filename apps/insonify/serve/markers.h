@@ -18,9 +18,9 @@ class Markers {
   explicit Markers(std::vector<Marker> markers) : markers_(std::move(markers)) {}
 
   /// Replaces all markers by those of a message: {"markers": [{"name", "position": [x, y, z], "time", "sonar",
-  /// "ping"}...]}.
-  /// @throws FormError for a member of the wrong type, Error for more than 1000 markers or a name of more than 200
-  /// bytes.
+  /// "ping"}...]}, each perhaps with "range" and "side".
+  /// @throws FormError for a member of the wrong type, Error for more than 1000 markers, a name of more than 200
+  /// bytes, or a side other than port and starboard.
   void set(const nlohmann::json& message);
 
   [[nodiscard]] std::vector<Marker> all() const;

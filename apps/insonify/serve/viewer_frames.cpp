@@ -70,12 +70,14 @@ struct TableName {
   unsigned bit;
   const char *name, *type;
 };
-constexpr std::array<TableName, 6> kTables = {{{kLevelTable, "level", "uint16"},
+constexpr std::array<TableName, 8> kTables = {{{kLevelTable, "level", "uint16"},
                                                {kInstanceTable, "instance", "int32"},
                                                {kMaterialTable, "material", "int32"},
                                                {kElevationTable, "elevation", "float32"},
                                                {kShadowTable, "shadow", "uint8"},
-                                               {kMultipathTable, "multipath", "uint8"}}};
+                                               {kMultipathTable, "multipath", "uint8"},
+                                               {kSoundingRangeTable, "sounding_range", "float32"},
+                                               {kDetectionTable, "detection", "uint8"}}};
 
 template <auto kConvert, typename Source>
 void append_converted(std::string& bytes, const std::vector<Source>& values) {
@@ -83,6 +85,15 @@ void append_converted(std::string& bytes, const std::vector<Source>& values) {
   std::vector<Result> converted(values.size());
   std::transform(values.begin(), values.end(), converted.begin(), [](Source value) { return kConvert(value); });
   append(bytes, std::span<const Result>(converted));
+}
+
+// A member of all soundings.
+template <auto kMember, typename Value>
+void append_soundings(std::string& bytes, const std::vector<Sounding>& soundings) {
+  std::vector<Value> values(soundings.size());
+  std::ranges::transform(soundings, values.begin(),
+                         [](const Sounding& sounding) { return static_cast<Value>(sounding.*kMember); });
+  append(bytes, std::span<const Value>(values));
 }
 
 void append_table(std::string& bytes, const Ping& ping, unsigned table) {
@@ -102,6 +113,12 @@ void append_table(std::string& bytes, const Ping& ping, unsigned table) {
     case kShadowTable:
       append_converted<share_of>(bytes, ping.shadow);
       break;
+    case kSoundingRangeTable:
+      append_soundings<&Sounding::range, float>(bytes, ping.soundings);
+      break;
+    case kDetectionTable:
+      append_soundings<&Sounding::detection, std::uint8_t>(bytes, ping.soundings);
+      break;
     default:
       append(bytes, std::span<const std::uint8_t>(ping.path_order));
       break;
@@ -120,6 +137,9 @@ bool has_table(const Ping& ping, unsigned table) {
       return !ping.elevation.empty();
     case kShadowTable:
       return !ping.shadow.empty();
+    case kSoundingRangeTable:
+    case kDetectionTable:
+      return !ping.soundings.empty();
     default:
       return !ping.path_order.empty();
   }

@@ -16,7 +16,9 @@ enum PingTable : unsigned {
   kMaterialTable = 4,
   kElevationTable = 8,
   kShadowTable = 16,
-  kMultipathTable = 32
+  kMultipathTable = 32,
+  kSoundingRangeTable = 64,
+  kDetectionTable = 128
 };
 
 /// The bit of a table's name; 0 for an unknown name.

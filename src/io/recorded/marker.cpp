@@ -12,11 +12,17 @@ namespace insonify {
 
 std::string marker_text(const Marker& marker) {
   const Vec3& at = marker.position;
-  const nlohmann::ordered_json json = {{"name", marker.name},
-                                       {"position", {at.x(), at.y(), at.z()}},
-                                       {"time", marker.time},
-                                       {"sonar", marker.sonar},
-                                       {"ping", marker.ping}};
+  nlohmann::ordered_json json = {{"name", marker.name},
+                                 {"position", {at.x(), at.y(), at.z()}},
+                                 {"time", marker.time},
+                                 {"sonar", marker.sonar},
+                                 {"ping", marker.ping}};
+  if (marker.range) {
+    json["range"] = *marker.range;
+  }
+  if (!marker.side.empty()) {
+    json["side"] = marker.side;
+  }
   constexpr bool kAscii = false;
   return json.dump(-1, ' ', kAscii, nlohmann::ordered_json::error_handler_t::replace);
 }
@@ -31,6 +37,10 @@ Marker marker_from_text(std::string_view text) {
     json.at("time").get_to(marker.time);
     json.at("sonar").get_to(marker.sonar);
     json.at("ping").get_to(marker.ping);
+    if (json.contains("range")) {
+      marker.range = json.at("range").get<double>();
+    }
+    marker.side = json.value("side", "");
     return marker;
   } catch (const nlohmann::json::exception&) {
     throw Error("a marker must be a JSON object with name, position, time, sonar and ping");

@@ -17,7 +17,7 @@ export function drawGraticule(context, plan, options) {
     else drawRings(context, plan);
   }
   if (plan.mode === "round") drawSweep(context, plan, options.headAngle);
-  if (options.cursor) drawCursor(context, plan, options.cursor);
+  if (options.cursor) drawCross(context, plan.place(options.cursor.range, options.cursor.azimuth));
 }
 
 const isSmall = (plan) => plan.width < 420;
@@ -33,7 +33,8 @@ function drawRings(context, plan) {
   const radiusOf = (range) => plan.toScreen(range, 0)[0] - apexX;
   const arc = (range) => {
     context.beginPath();
-    context.arc(apexX, apexY, radiusOf(range), sonar.up - Math.PI / 2 - port, sonar.up - Math.PI / 2 - starboard);
+    const ends = sonar.down ? [Math.PI / 2 + starboard, Math.PI / 2 + port] : [sonar.up - Math.PI / 2 - port, sonar.up - Math.PI / 2 - starboard];
+    context.arc(apexX, apexY, radiusOf(range), ...ends);
     context.stroke();
   };
   context.strokeStyle = themeColour("--ring");
@@ -70,26 +71,28 @@ function drawAhead(context, plan) {
   const [x, y] = plan.place(plan.sonar.max_range, 0);
   context.strokeStyle = themeColour("--soft");
   context.beginPath();
-  context.moveTo(x, y - 4);
-  context.lineTo(x, y + 7);
+  context.moveTo(x, y - 4 * plan.sonar.sign);
+  context.lineTo(x, y + 7 * plan.sonar.sign);
   context.stroke();
   context.strokeStyle = themeColour("--ring");
 }
 
 function radialLabel(plan, azimuth, isEdge = false) {
   const [x, y] = plan.place(plan.sonar.max_range * 1.0, azimuth);
+  const { sign } = plan.sonar;
   const angle = plan.sonar.up - azimuth;
+  const up = sign * Math.cos(angle);
   const isBeside = x > kBeside && x < plan.width - kBeside;
-  if (isEdge && !isBeside) {  // Below the corner.
-    return { isEdge, text: radialText(plan.sonar, azimuth), align: azimuth > 0 ? "left" : "right", baseline: "top", x, y: y + edgeDrop(azimuth) };
+  if (isEdge && !isBeside) {  // Below the corner, above that of a fan that looks down.
+    return { isEdge, text: radialText(plan.sonar, azimuth), align: azimuth > 0 ? "left" : "right", baseline: sign > 0 ? "top" : "bottom", x, y: y + sign * edgeDrop(azimuth) };
   }
   return {
     isEdge,
     text: radialText(plan.sonar, azimuth),
     align: Math.sin(angle) > 0.2 ? "left" : Math.sin(angle) < -0.2 ? "right" : "center",
-    baseline: Math.cos(angle) < -0.5 ? "top" : "bottom",
+    baseline: up < -0.5 || (sign < 0 && up < -0.2) ? "top" : "bottom",
     x: x > 0 && x < plan.width ? Math.min(Math.max(x + 5 * Math.sin(angle), kWide), plan.width - kWide) : x,
-    y: y - (azimuth === 0 && plan.mode === "fan" ? 6 : 4) * Math.cos(angle),
+    y: y - (azimuth === 0 && plan.mode === "fan" ? 6 : 4) * up,
   };
 }
 
@@ -144,7 +147,7 @@ function labelRing(context, plan, range, azimuth) {
   context.textAlign = isBeside ? "right" : "left";
   context.textBaseline = "middle";
   context.fillStyle = themeColour("--soft");
-  context.fillText(text, isBeside ? x - 6 : x, y + (isLast ? (isBeside ? 14 : edgeDrop(azimuth) + 20) : 3));
+  context.fillText(text, isBeside ? x - 6 : x, y + plan.sonar.sign * (isLast ? (isBeside ? 14 : edgeDrop(azimuth) + 20) : 3));
 }
 
 /** Writes over the picture, with an outline; the text's lower left corner is at x, y. */
@@ -209,8 +212,8 @@ function drawSweep(context, plan, headAngle) {
   context.lineWidth = 1;
 }
 
-function drawCursor(context, plan, cursor) {
-  const [x, y] = plan.place(cursor.range, cursor.azimuth);
+/** Draws a cursor at a place of the screen. */
+export function drawCross(context, [x, y]) {
   for (const [width, colour] of [[3, "rgb(0 10 16 / 70%)"], [1.3, "#7de3ff"]]) {
     context.lineWidth = width;
     context.strokeStyle = colour;

@@ -26,6 +26,7 @@ uniform sampler2D overlay_values;
 uniform sampler2D palette;
 uniform vec2 azimuths;           // port and starboard edge of the fan [rad]
 uniform float up;                // azimuth that is drawn upwards [rad]
+uniform float sign_ahead;        // -1 where the fan looks down
 uniform ivec2 size;              // beams, bins
 uniform int overlay;
 uniform float elevation_half;    // elevation of the strongest colours [rad]
@@ -89,7 +90,7 @@ vec3 overlaid(float value, ivec2 cell) {
 
 void main() {
   float range = mode == kPolar ? plane.y : length(plane);
-  float beam = mode == kPolar ? plane.x : beam_of(atan(-plane.x, plane.y) + up);
+  float beam = mode == kPolar ? plane.x : beam_of(atan(-plane.x, sign_ahead * plane.y) + up);
   float bin = (range - min_range) / bin_length;
   float step_of_pixel = mode == kPolar ? abs(dFdy(plane.y)) : length(vec2(dFdx(plane.x), dFdy(plane.x)));
   if (beam < 0.0 || beam >= float(size.x) || bin < 0.0 || bin >= float(size.y)) discard;

@@ -1,7 +1,7 @@
 // plan.js -- where a range and an azimuth lie on the picture, and what lies under a point of it.
 //
 // The plane of fan and round picture has metres to starboard and metres ahead, of a vertical scanning head metres ahead and
-// metres up; that of the polar picture beams and ranges.
+// metres up, of a multibeam metres to starboard and metres up, so that its fan looks down; that of the polar picture beams and ranges.
 
 import { wrapped } from "../geometry.js";
 import { beamAt, binAt, slotAt } from "../sonar.js";
@@ -24,8 +24,9 @@ export function makePlan(sonar, mode, width, height, zoom) {
   if (width < 420) return planWithin(sonar, mode, width, height, zoom, kSmall);
   const margin = kMargins[mode];
   // The edges of a wide fan are nearly level: their labels stand below them.
-  const bottom = mode === "fan" && Math.max(sonar.ports[0], -sonar.starboards.at(-1)) > 1.2 ? 26 : margin.bottom;
+  const bottom = mode === "fan" && !sonar.down && Math.max(sonar.ports[0], -sonar.starboards.at(-1)) > 1.2 ? 26 : margin.bottom;
   const corners = [[kCorners.left, height - kCorners.height], [width - kCorners.right, height - 56]];
+  if (sonar.down) corners.push(...corners.map(([x]) => [x, height]));  // Its arc is the lowest in the middle.
   const free = { ...margin, bottom };
   while (free.bottom < bottom + kCorners.height) {
     const whole = planWithin(sonar, mode, width, height, kHome, free);
@@ -68,11 +69,12 @@ function boundsOf(sonar, mode) {
   const across = (azimuth) => Math.sin(Math.min(Math.abs(azimuth), Math.PI / 2)) * Math.sign(azimuth);
   const widest = Math.max(Math.abs(across(port)), Math.abs(across(starboard)), 0.15);  // The apex stays in the middle.
   const back = Math.min(0, Math.cos(Math.max(Math.abs(port), Math.abs(starboard))));
-  return { left: -widest * reach, right: widest * reach, bottom: back * reach, top: reach };
+  const [bottom, top] = sonar.down ? [-reach, -back * reach] : [back * reach, reach];
+  return { left: -widest * reach, right: widest * reach, bottom, top };
 }
 
 function planePoint(sonar, mode, range, azimuth) {
-  if (mode !== "polar") return [-range * Math.sin(azimuth - sonar.up), range * Math.cos(azimuth - sonar.up)];
+  if (mode !== "polar") return [-range * Math.sin(azimuth - sonar.up), sonar.sign * range * Math.cos(azimuth - sonar.up)];
   const beam = beamAt(sonar, azimuth);
   if (beam < 0) return [sonar.ports.filter((port) => port > azimuth).length, range];  // Beside the fan, or in a gap.
   const [port, starboard] = [sonar.ports[beam], sonar.starboards[beam]];
@@ -91,7 +93,7 @@ export function underPoint(plan, x, y) {
     return { range: v, azimuth, beam, bin };
   }
   const range = Math.hypot(u, v);
-  const azimuth = wrapped(Math.atan2(-u, v) + sonar.up);
+  const azimuth = wrapped(Math.atan2(-u, sonar.sign * v) + sonar.up);
   const bin = binAt(sonar, range);
   const beam = mode === "round" ? 0 : beamAt(sonar, azimuth);
   if (bin < 0 || beam < 0) return null;

@@ -136,6 +136,7 @@ export class PictureRenderer {
     gl.uniform1i(at.smooth_cells, store.get("smooth") ? 1 : 0);
     gl.uniform2f(at.azimuths, sonar.ports[0], sonar.starboards.at(-1));
     gl.uniform1f(at.up, sonar.up);
+    gl.uniform1f(at.sign_ahead, sonar.sign);
     gl.uniform2i(at.size, sonar.product.columns(sonar), this.rows);
     gl.uniform1i(at.overlay, overlay);
     gl.uniform1f(at.elevation_half, sonar.elevationAperture / 2);

@@ -22,10 +22,11 @@ export function decode(buffer) {
 
 function decodePing(header, buffer, start) {
   const cells = header.beams * header.bins;
+  const perBeam = ["sounding_range", "detection"];
   const tables = {};
   for (const { name, type, offset } of header.tables) {
     if (!(type in kArrays)) throw new Error(`Table ${name} has an unknown type, ${type}.`);
-    tables[name] = new kArrays[type](buffer, start + offset, cells);
+    tables[name] = new kArrays[type](buffer, start + offset, perBeam.includes(name) ? header.beams : cells);
   }
   if (!tables.level) throw new Error("A ping without levels.");
   return {

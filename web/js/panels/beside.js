@@ -39,7 +39,7 @@ function begin(store, frames, notes) {
   const own = makeStore({ kept: false });
   const picture = new PictureView(own, frames, () => {}, "beside-");
   const session = new Session(own, { note() {}, error: (text, op) => op && notes.error(text, op) }, {
-    taken: (ping) => picture.add(ping), saved() {}, changed: () => followContrast(own), refused() {},
+    taken: (ping, frozen) => frozen || picture.add(ping), saved() {}, changed: () => followContrast(own), refused() {},
   });
   store.on(kShared, () => own.set(Object.fromEntries(kShared.map((name) => [name, store.get(name)]))));
   return { store: own, session };

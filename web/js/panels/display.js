@@ -16,7 +16,7 @@ const kFixedLegends = {
   shadow: [["rgb(40 110 220)", "shadow"]],
   multipath: [["rgb(26 217 255)", "two surfaces"], ["rgb(255 64 217)", "three surfaces"]],
 };
-const kSwitches = { grid: "grid", smooth: "smooth", truth: "truth", "show-echoes": "showEchoes", "show-fan": "showFan", "show-sector": "showSector", "show-paths": "showPaths" };
+const kSwitches = { corrected: "corrected", "bottom-line": "bottomLine", soundings: "soundings", grid: "grid", smooth: "smooth", truth: "truth", "show-echoes": "showEchoes", "show-fan": "showFan", "show-sector": "showSector", "show-paths": "showPaths" };
 
 export function setUpDisplay(store, frames, roundPings) {
   for (const name of ["low", "high", "gain", "tvg"]) slider(store, name);
@@ -80,8 +80,12 @@ function setUpBeam(store) {
   }
   store.on(["sonar"], () => {
     // A scanning head has a single beam: there is nothing to choose.
-    const { gathers, hint } = productIn(store);
-    byId("waterfall-of-field").hidden = byId("beam-field").hidden = gathers;
+    const { gathers, sides, hint } = productIn(store);
+    byId("waterfall-of-field").hidden = byId("beam-field").hidden = gathers || sides;
+    for (const id of ["corrected", "bottom-line"]) byId(id).closest("label").hidden = !sides;
+    const down = Boolean(store.get("sonar")?.down);
+    byId("soundings").closest("label").hidden = !down;
+    byId("waterfall-of").querySelector("[value=depths]").hidden = !down;
     write(byId("beam-hint"), hint);
   });
   store.on(["beam", "sonar"], () => {

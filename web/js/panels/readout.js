@@ -10,8 +10,11 @@ const kFields = ["range", "bearing", "level", "beam", "bin", "world", "object", 
 /** What the shown ping holds at a cursor; `roundPings` are the pings of the round picture's columns. */
 export function lookUp(store, cursor, roundPings) {
   const sonar = store.get("sonar");
+  if (cursor.row) return lookUpRow(sonar, cursor);
   const ping = cursor.slot === undefined ? store.get("shown") : roundPings[cursor.slot];
-  const found = { ...cursor, sonar };
+  // The picture of a side-scan sonar is as wide as it likes: its beams look abeam.
+  const azimuth = sonar?.product.sides ? sonar.beamAzimuths[cursor.beam] : cursor.azimuth;
+  const found = { ...cursor, azimuth, sonar };
   if (!ping || !sonar || ping.bins !== sonar.bins || ping.beams !== sonar.beams) return found;
   const cell = cursor.bin * ping.beams + cursor.beam;
   const { level, instance, material, elevation } = ping.tables;
@@ -23,12 +26,19 @@ export function lookUp(store, cursor, roundPings) {
     ...found,
     ping,
     level: levelDb(level[cell]),
-    world: worldPoint(sonar, ping.pose, cursor, elevation?.[cell], store.get("ground")),
+    world: worldPoint(sonar, ping.pose, { range: cursor.range, azimuth }, elevation?.[cell], store.get("ground")),
     instance: label,
     object: label >= 0 ? (names?.objects[label] ?? `object ${label}`) : null,
     material: surface >= 0 ? (names?.materials[surface] ?? `material ${surface}`) : null,
     labelled: Boolean(instance),
   };
+}
+
+// The same in a row of the waterfall, which keeps no labels.
+function lookUpRow(sonar, cursor) {
+  const { row, beam, bin } = cursor;
+  const level = row.tables?.level;
+  return { ...cursor, sonar, ping: row, level: level ? levelDb(level[bin * row.beams + beam]) : undefined, instance: -1, object: null, material: null, labelled: true };
 }
 
 /** Gain of the display at a range [dB]. */

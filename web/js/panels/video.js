@@ -1,7 +1,7 @@
 // video.js -- records the sonar picture as it is drawn, as WebM, and offers it for download.
 
 import { byId, download, themeColour, write } from "../dom.js";
-import { paintColourBar } from "../draw/colour_bar.js";
+import { levelBar, paintColourBar } from "../draw/colour_bar.js";
 import { clock } from "../format.js";
 
 const kTypes = ["video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm"];
@@ -49,7 +49,7 @@ function record(store, picture, type, done) {
     context.fillStyle = themeColour("--text");
     byId("picture-caption").textContent.split("\n").forEach((line, i) => context.fillText(line, 12, 9 + 16 * i));
     context.translate(canvas.width / scale - kBar - 8, canvas.height / scale - 52);
-    paintColourBar(context, store, kBar);
+    paintColourBar(context, levelBar(store), kBar);
     context.restore();
   };
   picture.draw();

@@ -22,7 +22,8 @@ export class AscanView {
     const cursor = store.get("cursor");
     const beam = cursor?.beam ?? store.get("beam");
     const slot = cursor?.slot;
-    const found = slot === undefined ? store.get("shown") : this.roundPings()[slot];
+    const row = cursor?.row?.tables ? cursor.row : null;  // of the waterfall
+    const found = row ?? (slot === undefined ? store.get("shown") : this.roundPings()[slot]);
     const ping = found?.bins === sonar?.bins && beam < found?.beams ? found : null;
     this.#explain(sonar, ping, cursor);
     if (!sonar || !ping) return;

@@ -2,7 +2,8 @@
 
 const kClickReach = 5;  // pixels that a click may wander
 
-/** Calls hover(x, y), leave(), click(x, y), drag(dx, dy, second), zoom(factor, x, y) and home(), in CSS pixels of `node`. */
+/** Calls hover(x, y), leave(), click(x, y), drag(dx, dy, second), zoom(factor, x, y) and home(), in CSS pixels of `node`. Where there
+ * is a handler wheel(pixels, zooms), the wheel calls that instead of zoom. */
 export function watchGestures(node, handlers) {
   const pointers = new Map();
   let wandered = 0;
@@ -62,6 +63,11 @@ export function watchGestures(node, handlers) {
   node.addEventListener("contextmenu", (event) => event.preventDefault());
   node.addEventListener("wheel", (event) => {
     event.preventDefault();
+    if (handlers.wheel) {
+      const zooms = event.ctrlKey || event.shiftKey;  // With Shift some browsers turn the wheel sideways.
+      handlers.wheel((event.deltaY || event.deltaX) * (event.deltaMode === 1 ? 33 : 1), zooms);
+      return;
+    }
     handlers.zoom?.(Math.exp(-event.deltaY * (event.deltaMode === 1 ? 0.05 : 0.0015)), ...placeOf(event));
   }, { passive: false });
 }

@@ -1,13 +1,15 @@
 // picture.js -- the sonar picture as fan, polar or round picture, its cursor, zoom and colour bar.
 
 import { byId, context2d, fitCanvas, write } from "../dom.js";
-import { drawColourBar, paintColourBar } from "../draw/colour_bar.js";
+import { drawColourBar, levelBar, paintColourBar } from "../draw/colour_bar.js";
 import { drawGraticule } from "../draw/graticule.js";
-import { drawMarks } from "../draw/marks.js";
+import { drawMarks, placeInPicture } from "../draw/marks.js";
 import { makePlan, underPoint } from "../draw/plan.js";
 import { heightAbove } from "../draw/sight.js";
+import { drawSoundings, soundingsText } from "../draw/soundings.js";
 import { PictureRenderer } from "../draw/renderer.js";
 import { clock } from "../format.js";
+import { rulerFigures, rulerText } from "../measure.js";
 import { poseFigures, poseTexts } from "../pose.js";
 import { productIn } from "../product.js";
 import { binRange, slotAt } from "../sonar.js";
@@ -40,7 +42,7 @@ export class PictureView {
       this.#home();
     });
     store.on(["shown", "mode", "low", "high", "gain", "tvg", "map", "overlay", "smooth", "theme", "main"], this.redraw);
-    store.on(["grid", "cursor", "beam", "markers", "ruler"], this.redrawLines);
+    store.on(["grid", "cursor", "beam", "markers", "ruler", "soundings"], this.redrawLines);
     store.on(["frozen"], () => (this.part("frozen").hidden = !store.get("frozen")));
     this.choose = choose;
     this.#listen();
@@ -86,7 +88,8 @@ export class PictureView {
       store.set({ ground: height === null ? null : vehicle.position[2] - height });
     }
     const texts = poseTexts(poseFigures(vehicle, store.get("hello"), store.get("ground")));
-    return [`${sonar.name}   ping ${ping.number}   ${clock(ping.time)} s`, ...texts].join(store.get("mode") === "polar" ? "   " : "\n");
+    const found = store.get("soundings") ? soundingsText(ping.tables) : null;
+    return [`${sonar.name}   ping ${ping.number}   ${clock(ping.time)} s`, ...texts, ...(found ? [found] : [])].join(store.get("mode") === "polar" ? "   " : "\n");
   }
 
   drawLines() {
@@ -98,13 +101,17 @@ export class PictureView {
     const { store } = this;
     drawGraticule(context, plan, {
       grid: store.get("grid"),
-      cursor: store.get("cursor"),
+      cursor: store.get("cursor")?.row ? null : store.get("cursor"),
       headAngle: this.renderer.round.headAngle,
     });
     const ping = store.get("shown");
     if (!ping) return;
     const altitude = ping.pose.position[2] - (store.get("ground") ?? Infinity);
-    drawMarks(context, plan, ping.pose, { markers: store.get("markers"), ruler: store.get("ruler"), altitude });
+    if (store.get("soundings")) drawSoundings(context, plan, ping);
+    const placesOf = ({ point }) => [placeInPicture(plan, ping.pose, point)].filter(Boolean);
+    const ruler = store.get("ruler");
+    const text = () => rulerText(rulerFigures(ping.pose, ruler.from.point, ruler.to.point, altitude, plan.sonar.down));
+    drawMarks(context, plan.width, placesOf, { markers: store.get("markers"), ruler, text });
   }
 
   /** How many pixels of the screen a bin would need to be seen whole. */
@@ -124,7 +131,7 @@ export class PictureView {
     context.scale(scale, scale);
     this.#paintLines(context, plan);
     context.translate(plan.width - bar - 8, plan.height - 52);
-    paintColourBar(context, store, bar);
+    paintColourBar(context, levelBar(store), bar);
     context.restore();
     this.redraw();  // As large as it is on the screen.
   }
@@ -202,7 +209,8 @@ export class PictureView {
     const moves = { ArrowUp: [1, 0], ArrowDown: [-1, 0], ArrowLeft: [0, -1], ArrowRight: [0, 1] };
     if (!event.altKey || !(event.key in moves) || !sonar) return;
     event.preventDefault();
-    const [bins, beams] = moves[event.key].map((count) => count * (event.shiftKey ? 10 : 1));
+    const [ahead, beams] = moves[event.key].map((count) => count * (event.shiftKey ? 10 : 1));
+    const bins = ahead * (this.store.get("mode") === "fan" ? sonar.sign : 1);
     const from = this.store.get("cursor");
     const clamp = (value, count) => Math.max(0, Math.min(count - 1, value));
     const bin = clamp((from?.bin ?? Math.floor(sonar.bins / 2)) + bins, sonar.bins);

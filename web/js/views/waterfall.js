@@ -1,201 +1,353 @@
-// waterfall.js -- pings over time: the chosen beam, the strongest echo at each range, or both sides of a side-scan sonar;
-// the newest ping is on top.
+// waterfall.js -- pings over time, the newest on top: both sides of a side-scan sonar, the depths of a multibeam's swath, the chosen
+// beam, or the strongest echo at each range. Wheel, drag and keys go back through the rows that are kept.
 
-import { byId, context2d, fitCanvas, themeColour, write } from "../dom.js";
-import { colourTable } from "../draw/colour_maps.js";
-import { makeProgram, openGl, Table } from "../draw/gl.js";
-import { kLevelGlsl, setLevelUniforms } from "../draw/level_shader.js";
-import { bearing, number, ringSpacing, ticks } from "../format.js";
-import { levelDb } from "../link/decode.js";
-import { binRange } from "../sonar.js";
+import { byId, context2d, fitCanvas, write } from "../dom.js";
+import { drawColourBar, levelBar } from "../draw/colour_bar.js";
+import { bearing, clock, number } from "../format.js";
+import { BottomTracker, kNoBottom, pitchCosine } from "../strip/bottom.js";
+import { StripHistory } from "../strip/history.js";
+import { peakOf, stripKind } from "../strip/kinds.js";
+import { drawStripLines } from "../strip/lines.js";
+import { kHeightMap, kRows, StripRenderer } from "../strip/renderer.js";
+import { stripRulerText } from "../strip/ruler.js";
+import { isRecording } from "../panels/timeline.js";
+import { watchGestures } from "./gestures.js";
 
-const kRows = 512;
-const kPixels = 3;  // height of a ping in CSS pixels
-
-const kVertex = `#version 300 es
-out vec2 place;  // 0 to 1: near to far (or the far end of port to that of starboard), old to new
-void main() {
-  vec2 clip = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
-  place = clip * 0.5 + 0.5;
-  gl_Position = vec4(clip, 0, 1);
-}`;
-
-const kFragment = `#version 300 es
-precision highp float;
-precision highp int;
-${kLevelGlsl}
-uniform int newest, rows, sides;
-uniform float visible;  // pings from top to bottom
-in vec2 place;
-out vec4 colour;
-void main() {
-  ivec2 size = textureSize(levels, 0);
-  int back = int((1.0 - place.y) * visible);
-  if (back >= rows) discard;
-  int row = (newest - back + size.y) % size.y;
-  float bin = place.x * float(size.x);
-  int covered = clamp(int(ceil(dFdx(place.x) * float(size.x) - 0.2)), 1, 24);
-  uint strongest = 0u;
-  for (int i = 0; i < covered; ++i) {
-    int at = min(int(bin) + i, size.x - 1);
-    strongest = max(strongest, texelFetch(levels, ivec2(at, row), 0).r);
-  }
-  float from_track = sides != 0 ? abs(bin - 0.5 * float(size.x)) : bin;
-  colour = vec4(colour_of(brightness(strongest, gain_at(min_range + (from_track + 0.5) * bin_length))), 1);
-}`;
+const kUsual = 3;      // height of a ping [CSS pixels]
+const kLeast = 1;
+const kMost = 12;
+const kScale = 16;     // height of the labels below the rows [CSS pixels]
+const kWide = 420;     // A narrower view has less text [CSS pixels].
 
 export class WaterfallView {
-  constructor(store, frames) {
+  /** `choose(mark)` is called for a click, with { point, sonar, number, time, range, beam }. */
+  constructor(store, frames, choose = () => {}) {
     this.store = store;
+    this.choose = choose;
     this.canvas = byId("waterfall");
+    this.lines = byId("waterfall-scale");
+    this.history = new StripHistory(kRows);
+    this.pixels = kUsual;
+    this.top = null;  // index of the row at the top while one looks back; null: the newest
     this.redraw = frames.add(() => this.draw(), () => (store.get("main") === "waterfall" ? 0 : 1000));
-    this.gl = openGl(this.canvas, () => {
-      this.#build();
-      this.redraw();
-    });
-    this.#build();
-    new ResizeObserver(this.redraw).observe(this.canvas);
-    store.on(["sonar", "waterfallOf", "beam"], () => this.clear());
-    if (store.get("shown")) this.add(store.get("shown"));
-    store.on(["low", "high", "gain", "tvg", "map", "theme", "main"], this.redraw);
+    this.redrawLines = frames.add(() => this.drawLines());
+    this.renderer = new StripRenderer(this.canvas, () => this.#fill());
+    new ResizeObserver(this.redraw).observe(byId("waterfall-stage"));
+    this.clear();
+    store.on(["sonar", "waterfallOf"], () => this.#begin());
+    store.on(["beam"], () => store.get("waterfallOf") === "beam" && this.#begin());
+    store.on(["low", "high", "gain", "tvg", "map", "theme", "main", "corrected", "hello"], this.redraw);
+    store.on(["cursor", "markers", "ruler", "bottomLine", "grid"], this.redrawLines);
+    store.on(["frozen"], () => this.#freeze());
+    this.#listen();
   }
 
-  #build() {
-    this.program = makeProgram(this.gl, kVertex, kFragment);
-    this.levels = new Table(this.gl, "uint16");
-    this.map = new Table(this.gl, "rgba8");
-    this.limit = this.gl.getParameter(this.gl.MAX_TEXTURE_SIZE);
+  // A waterfall begins with the ping that is shown.
+  #begin() {
     this.clear();
+    const shown = this.store.get("shown");
+    if (shown && shown.sonar === this.store.get("sonar")?.name) this.add(shown);
   }
 
   /** Forgets all rows. */
   clear() {
     const { store } = this;
     const sonar = store.get("sonar");
-    this.count = 0;
-    this.ages = [];
-    this.peaks = [];  // of the rows, with the display's gain by range, newest first [dB]
-    this.time = this.between = undefined;
+    this.history.clear();
+    this.setTop(null);
     if (!sonar) return;
-    const parts = sonar.product.sides ? 2 : 1;
-    this.group = Math.ceil((parts * sonar.bins) / this.limit);
-    this.reach = Math.ceil(sonar.bins / this.group);  // columns from the track outwards
-    this.width = parts * this.reach;
-    this.levels.fill(this.width, kRows, new Uint16Array(this.width * kRows));
-    const beam = store.get("waterfallOf") === "beam";
-    const azimuth = sonar.beamAzimuths[Math.min(store.get("beam"), sonar.beams - 1)];
-    this.what = sonar.product.waterfall ?? (beam ? `Beam ${store.get("beam")}   ${bearing(azimuth)}` : "Strongest");
+    const beam = store.get("waterfallOf") === "beam" ? Math.min(store.get("beam"), sonar.beams - 1) : -1;
+    const kind = stripKind(sonar, store.get("waterfallOf"));
+    const { limit } = this.renderer;
+    const group = Math.ceil(kind.columns(sonar, 1) / limit);
+    this.strip = { sonar, kind, group, beam: sonar.product.gathers ? 0 : beam, columns: kind.columns(sonar, group) };
+    this.tracker = sonar.product.sides ? new BottomTracker(sonar) : null;
+    this.renderer.prepare(kind.heights, this.strip.columns);
+    this.redraw();
+  }
+
+  get count() {
+    return this.history.count;
+  }
+
+  /** Ages of the rows, newest first [s]. */
+  get ages() {
+    const { history } = this;
+    return Array.from({ length: history.count - history.first }, (_, i) => history.newest.age - history.row(history.count - 1 - i).age);
+  }
+
+  // A graphics context that was lost has come back empty.
+  #fill() {
+    if (!this.strip) return;
+    this.renderer.prepare(this.strip.kind.heights, this.strip.columns);
+    for (let i = this.history.first; i < this.history.count; ++i) this.renderer.write(this.history.slot(i), this.history.row(i));
     this.redraw();
   }
 
   /** Takes in every ping, also while the picture is not drawn. */
   add(ping) {
-    const sonar = this.store.get("sonar");
-    const beam = this.store.get("waterfallOf") === "beam" ? Math.min(this.store.get("beam"), ping.beams - 1) : -1;
-    const row = new Uint16Array(this.width);
-    const { level } = ping.tables;
-    const tvg = this.store.get("tvg");
-    let peak = -Infinity;
-    for (let bin = 0; bin < ping.bins; ++bin) {
-      const start = bin * ping.beams;
-      const column = Math.floor(bin / this.group);
-      let value = 0;
-      if (beam >= 0 && !sonar.product.sides) value = level[start + beam];
-      else for (let i = start; i < start + ping.beams; ++i) if (level[i] > value) value = level[i];
-      if (sonar.product.sides) {
-        const [port, starboard] = [this.reach - 1 - column, this.reach + column];
-        row[port] = Math.max(row[port], level[start]);
-        row[starboard] = Math.max(row[starboard], level[start + 1]);
-      } else if (value > row[column]) row[column] = value;
-      if (value > 0) peak = Math.max(peak, levelDb(value) + tvg * Math.log10(Math.max(binRange(sonar, bin), 0.01)));
-    }
-    this.levels.write(0, this.count % kRows, this.width, 1, row);
-    ++this.count;
-    this.peaks = [peak, ...this.peaks].slice(0, kRows);
-    this.#note(ping.time);
+    const { history, store, strip } = this;
+    if (!strip) return;
+    this.#goBack(ping);
+    const values = strip.kind.values(strip.sonar, ping, strip);
+    const row = { sonar: ping.sonar, number: ping.number, time: ping.time, pose: ping.pose, values, ...strip.kind.kept(ping, strip.sonar, strip), ...this.#bottomOf(ping) };
+    if (!strip.kind.heights) row.peak = peakOf(strip.sonar, values, strip.group, store.get("tvg"));
+    history.add(row, strip.sonar.period ?? Infinity);
+    this.renderer.write(history.slot(history.count - 1), row);
+    this.setTop(this.top);
+    if (this.pointer && !store.get("frozen")) this.#hover(...this.pointer);
     this.redraw();
   }
 
-  // Ages of the rows [s], newest first. If the time restarts, a row follows the previous one by the last interval.
-  #note(time) {
-    const since = time - this.time;
-    this.between = since > 0 ? since : this.between ?? 0;
-    this.time = time;
-    this.ages = [0, ...this.ages.map((age) => age + this.between)];
-    this.ages.length = Math.min(this.ages.length, kRows);
+  // A recording that was set back shows rows again, or others.
+  #goBack(ping) {
+    const { history } = this;
+    const last = history.newest;
+    if (!last || !isRecording(this.store) || ping.time >= last.time) return;
+    const index = history.find(ping.number, ping.time);
+    if (index < 0) this.clear();
+    else history.cut(index);
+    this.setTop(null);
   }
 
-  get #visible() {
-    return Math.min(kRows, Math.max(1, this.canvas.clientHeight / kPixels));
+  // First return and height above the bed: by the levels where the bottom is seen, else by the scene.
+  #bottomOf(ping) {
+    const ground = this.store.get("ground");
+    const height = ground === null ? null : Math.max(0, ping.pose.position[2] - ground);
+    if (!this.tracker) return { ground };
+    const { range, quality } = this.tracker.add(ping.tables.level);
+    const cosine = pitchCosine(ping.pose);
+    const altitude = quality >= kNoBottom ? range * cosine : height ?? this.history.newest?.altitude ?? null;
+    return { altitude, bottom: altitude === null ? null : altitude / Math.max(cosine, 0.1), tracked: quality >= kNoBottom };
+  }
+
+  /** How many rows fit. */
+  get visible() {
+    return Math.max(1, this.canvas.clientHeight / this.pixels);
+  }
+
+  /** Index of the row at the top. */
+  get topRow() {
+    return this.top ?? this.history.count - 1;
+  }
+
+  /** Puts a row at the top, as far as there are rows; the newest: live. */
+  setTop(index) {
+    const { history } = this;
+    const lowest = Math.min(history.count - 1, history.first + Math.floor(this.visible) - 1);
+    this.top = index === null || index >= history.count - 1 && !this.store.get("frozen") ? null : Math.max(lowest, Math.min(index, history.count - 1));
+    if (this.top === null) this.rest = 0;
+    byId("waterfall-live").hidden = this.top === null || this.store.get("frozen");
+    this.redraw();
+  }
+
+  /** Goes back by so many rows, or forth. */
+  scroll(rows) {
+    this.rest = (this.rest ?? 0) + rows;
+    const whole = Math.trunc(this.rest);
+    if (whole === 0) return;
+    this.rest -= whole;
+    this.setTop(this.topRow - whole);
+    this.#hover(...(this.pointer ?? [-1, -1]));
+  }
+
+  /** Goes back by a page, or forth. */
+  page(pages) {
+    this.scroll(pages * Math.max(1, Math.floor(this.visible * 0.9)));
+  }
+
+  // A frozen waterfall stays as it is while rows are added.
+  #freeze() {
+    const frozen = this.store.get("frozen");
+    if (frozen && this.top === null && this.history.count > 0) {
+      this.top = this.history.count - 1;
+      this.thawsLive = true;
+    } else if (!frozen) {
+      this.setTop(this.thawsLive ? null : this.top);
+      this.thawsLive = false;
+    }
+    this.redraw();
+  }
+
+  /** Where rows lie on the stage: { left, top, width, height, pixels, rowY(index), indexAt(y) }. */
+  get plan() {
+    const { canvas, pixels, topRow } = this;
+    const [left, top, width, height] = [canvas.offsetLeft, canvas.offsetTop, canvas.clientWidth, canvas.clientHeight];
+    return {
+      left, top, width, height, pixels, bottom: top + height,
+      xOf: (share) => left + share * width,
+      yOf: (index) => top + (topRow - index + 0.5) * pixels,
+      indexAt: (y) => topRow - Math.floor((y - top) / pixels),
+    };
   }
 
   /** Returns whether there was a row to show. */
   draw() {
-    const { gl, store } = this;
-    const sonar = store.get("sonar");
+    const { history, renderer, store, strip } = this;
     fitCanvas(this.canvas);
-    gl.viewport(0, 0, this.canvas.width, this.canvas.height);
-    gl.clearColor(0, 0, 0, 0);
-    gl.clear(gl.COLOR_BUFFER_BIT);
-    if (!sonar) return false;
-    const { program, at } = this.program;
-    gl.useProgram(program);
-    this.map.fill(256, 1, colourTable(store.get("map")));
-    this.levels.bind(0);
-    this.map.bind(1);
-    gl.uniform1i(at.levels, 0);
-    gl.uniform1i(at.colour_map, 1);
-    setLevelUniforms(gl, at, store, sonar.min_range, sonar.binLength * this.group);
-    // The strongest of all beams would be brighter than most colours: theirs reach to the loudest that is seen.
-    const most = Math.max(store.get("high"), Math.ceil(Math.max(...this.peaks.slice(0, this.#visible)) + store.get("gain")));
-    gl.uniform1f(at.high, Math.max(most, store.get("low") + 0.1));
-    write(byId("waterfall-caption"), most > store.get("high") ? `${this.what}, to ${number(most)} dB` : this.what);
-    gl.uniform1i(at.newest, (this.count - 1 + kRows) % kRows);
-    gl.uniform1i(at.rows, Math.min(this.count, kRows));
-    gl.uniform1i(at.sides, sonar.product.sides ? 1 : 0);
-    gl.uniform1f(at.visible, this.#visible);
-    gl.drawArrays(gl.TRIANGLES, 0, 3);
-    this.#drawScale(sonar);
-    return this.count > 0;
+    if (!strip) {
+      renderer.clear();
+      return false;
+    }
+    const rows = Math.max(0, this.topRow - history.first + 1);
+    this.shown = this.#shown();
+    renderer.draw(store, { top: history.slot(Math.max(0, this.topRow)), rows, visible: this.visible }, this.shown);
+    write(byId("waterfall-caption"), this.#caption());
+    drawColourBar(byId("waterfall-bar"), store, this.bar);
+    this.drawLines();
+    this.afterDraw?.();  // While the canvas still has its picture.
+    return history.count > 0;
   }
 
-  #drawScale(sonar) {
-    const { context, width, height } = context2d(byId("waterfall-scale"));
-    context.font = "11px system-ui, sans-serif";
-    context.textBaseline = "bottom";
-    context.textAlign = "center";
-    // On a plate: an outline would smear small figures over a picture.
-    const text = (words, x, y) => {
-      const wide = context.measureText(words).width + 6;
-      const left = context.textAlign === "center" ? x - wide / 2 : x - 3;
-      context.globalAlpha = 0.78;
-      context.fillStyle = themeColour("--panel");
-      context.fillRect(left, y - 13, wide, 14);
-      context.globalAlpha = 1;
-      context.fillStyle = themeColour("--text");
-      context.fillText(words, x, y);
-    };
-    const spacing = ringSpacing(sonar.max_range);
-    const ranges = ticks(Math.max(sonar.min_range, spacing), sonar.max_range, spacing);
-    const share = (range) => (range - sonar.min_range) / (sonar.max_range - sonar.min_range);
-    const places = sonar.product.sides
-      ? [-1, 1].flatMap((side) => ranges.map((range) => [range, 0.5 + 0.5 * side * share(range)]))
-      : ranges.map((range) => [range, share(range)]);
-    for (const [range, part] of places) {
-      const x = width * part;
-      if (x < 14 || x > width - 14) continue;
-      // Over the rows as over a picture, below them as on the page.
-      const rows = Math.min(height - 15, (height * this.count) / this.#visible);
-      context.fillStyle = themeColour("--ring");
-      context.fillRect(x, 0, 1, rows);
-      context.fillStyle = themeColour("--line");
-      context.fillRect(x, rows, 1, height - 15 - rows);
-      text(`${number(range, Number.isInteger(range) ? 0 : 1)} m`, x, height - 3);
-    }
-    context.textAlign = "left";
-    for (const part of [0.25, 0.5, 0.75]) {
-      const row = Math.floor(part * this.#visible);
-      if (row > 0 && row < this.ages.length) text(`${number(-this.ages[row], this.ages[row] < 10 ? 1 : 0)} s`, 4, part * height + 4);
-    }
+  #rowsInView() {
+    const last = this.topRow;
+    return Array.from({ length: Math.max(0, Math.min(Math.ceil(this.visible), last - this.history.first + 1)) }, (_, i) => this.history.row(last - i));
   }
+
+  // Colours and geometry of the rows in view.
+  #shown() {
+    const { store, strip } = this;
+    const corrected = store.get("corrected") && strip.sonar.product.sides;
+    if (strip.kind.heights) return { ...strip, corrected, span: spanOf(this.#rowsInView()) };
+    // The strongest of all beams would be brighter than most colours: theirs reach to the loudest that is seen.
+    const loudest = strip.sonar.product.sides ? -Infinity : Math.max(...this.#rowsInView().map(({ peak }) => peak));
+    return { ...strip, corrected, high: Math.max(store.get("high"), Math.ceil(loudest + store.get("gain"))) };
+  }
+
+  /** What the colour bar shows. */
+  get bar() {
+    const { high, kind, span } = this.shown;
+    if (!kind.heights) return levelBar(this.store, high);
+    const level = surfaceOf(this.store);
+    return { low: span[0], high: span[1], map: kHeightMap, text: level === null ? "z of the soundings [m]" : `z of the soundings [m], surface at ${number(level, 1)}` };
+  }
+
+  #caption() {
+    const { history, store, strip, shown } = this;
+    const { sonar, beam, kind } = strip;
+    const level = shown.high > store.get("high") ? `, to ${number(shown.high)} dB` : "";
+    const what = kind.caption?.(sonar, shown) ?? (sonar.product.waterfall ?? (beam >= 0 ? `Beam ${beam}   ${bearing(sonar.beamAzimuths[beam])}` : "Strongest"));
+    const row = history.row(this.topRow);
+    if (this.canvas.clientWidth < kWide || !row) return this.canvas.clientWidth < kWide ? what.replace(/   (slant|ground) range$/, "") + level : what + level;
+    const back = history.newest.age - row.age;
+    const texts = [what + level, `ping ${row.number}`, `${clock(row.time)} s`];
+    if (row.altitude !== null && row.altitude !== undefined) texts.push(`altitude ${number(row.altitude, 1)} m`);
+    if (this.top !== null && back > 0) texts.push(`${number(back, 1)} s back`);
+    return texts.join("   ");
+  }
+
+  drawLines() {
+    const { context, width } = context2d(this.lines);
+    if (!this.strip || !this.shown) return;
+    const { store, history } = this;
+    drawStripLines(context, {
+      plan: this.plan, history, width, first: Math.ceil(this.topRow - this.visible), last: this.topRow, ...this.shown,
+      back: this.top !== null, isSmall: this.canvas.clientWidth < kWide, scale: kScale,
+      grid: store.get("grid"), bottomLine: store.get("bottomLine"), cursor: store.get("cursor"),
+      markers: store.get("markers"), ruler: store.get("ruler"),
+      text: () => stripRulerText(this.shown, history, store.get("ruler")),
+    });
+  }
+
+  /** The place under a point of the stage, with its row; null beside the rows. */
+  under(x, y) {
+    const { plan, strip, shown } = this;
+    if (!shown || x < plan.left || x >= plan.left + plan.width || y < plan.top || y >= plan.bottom) return null;
+    const index = plan.indexAt(y);
+    const row = this.history.row(index);
+    const place = row && strip.kind.at(strip.sonar, row, (x - plan.left) / plan.width, shown);
+    return place ? this.#cursorAt(index, place) : null;
+  }
+
+  #cursorAt(index, place) {
+    const { strip, history } = this;
+    const row = history.row(index);
+    return { ...place, row, index, world: strip.kind.point(strip.sonar, row, place) };
+  }
+
+  #hover(x, y) {
+    const cursor = this.under(x, y);
+    if (cursor || this.store.get("cursor")?.row) this.store.set({ cursor });
+  }
+
+  #listen() {
+    const { store } = this;
+    const stage = byId("waterfall-stage");
+    watchGestures(stage, {
+      hover: (x, y) => {
+        this.pointer = [x, y];
+        this.#hover(x, y);
+      },
+      leave: () => {
+        this.pointer = null;
+        if (store.get("cursor")?.row) store.set({ cursor: null });
+      },
+      click: (x, y) => {
+        const cursor = this.under(x, y);
+        if (cursor) this.click(cursor);
+      },
+      drag: (dx, dy) => this.scroll(-dy / this.pixels),
+      wheel: (pixels, zooms) => (zooms ? this.#zoom(Math.exp(-0.0015 * pixels)) : this.scroll(pixels / this.pixels)),
+      zoom: (factor) => this.#zoom(factor),
+      home: () => store.get("tool") || this.setTop(null),
+    });
+    stage.addEventListener("keydown", (event) => this.#moveCursor(event));
+    byId("waterfall-live").addEventListener("click", () => this.setTop(null));
+  }
+
+  /** What a click at a cursor does. */
+  click(cursor) {
+    const { row, world, range, beam } = cursor;
+    this.store.set({ cursor });
+    this.choose({ point: world, sonar: row.sonar, number: row.number, time: row.time, range, beam });
+  }
+
+  // Rows become higher, or lower.
+  #zoom(factor) {
+    this.pixels = Math.max(kLeast, Math.min(kMost, this.pixels * factor));
+    this.setTop(this.top);
+  }
+
+  // Alt and an arrow move the cursor to the next row or column, with Shift to the tenth next.
+  #moveCursor(event) {
+    const moves = { ArrowUp: [1, 0], ArrowDown: [-1, 0], ArrowLeft: [0, -1], ArrowRight: [0, 1] };
+    if (!event.altKey || !(event.key in moves) || !this.strip || this.history.count === 0) return;
+    event.preventDefault();
+    const { strip, history, store, shown } = this;
+    const [rows, columns] = moves[event.key].map((count) => count * (event.shiftKey ? 10 : 1));
+    const from = store.get("cursor")?.row ? store.get("cursor") : null;
+    const index = Math.max(history.first, Math.min(history.count - 1, (from?.index ?? this.topRow - Math.floor(this.visible / 3)) + rows));
+    const row = history.row(index);
+    const start = from ?? strip.kind.at(strip.sonar, row, 0.75, shown);
+    if (!start) return;
+    const place = placeAt(strip, row, strip.kind.step(strip.sonar, start, columns));
+    if (place) store.set({ cursor: this.#cursorAt(index, place) });
+  }
+}
+
+// The place in the middle of a bin, or of a beam's sounding.
+function placeAt({ sonar, kind }, row, { beam, bin }) {
+  if (kind.heights) return kind.at(sonar, row, (beam + 0.5) / sonar.beams);
+  const azimuth = sonar.product.sides ? sonar.beamAzimuths[beam] : row.azimuth;
+  return azimuth === null ? null : { beam, bin, range: sonar.min_range + (bin + 0.5) * sonar.binLength, azimuth };
+}
+
+const kFew = 6000;  // heights that a span is taken from
+
+// Heights of the first and the last colour: all but the outer hundredths, rounded outwards [m].
+function spanOf(rows) {
+  const step = Math.max(1, Math.ceil((rows.length * (rows[0]?.values.length ?? 0)) / kFew));
+  const heights = rows.flatMap(({ values }, i) => [...values].filter((value, beam) => (beam + i) % step === 0 && Number.isFinite(value))).sort((a, b) => a - b);
+  if (heights.length === 0) return [-1, 0];
+  const [low, high] = [heights[Math.floor(0.01 * heights.length)], heights[Math.floor(0.99 * (heights.length - 1))]];
+  const least = Math.max(high - low, 0.2);
+  const middle = (low + high) / 2;
+  return [Math.floor(10 * (middle - least / 2)) / 10, Math.ceil(10 * (middle + least / 2)) / 10];
+}
+
+// Height of the sea's surface [m]; null without one.
+function surfaceOf(store) {
+  const keys = store.get("hello")?.keys;
+  const level = keys?.surface?.value ? keys["surface.level"]?.value : undefined;
+  return Number.isFinite(level) ? level : null;
 }
