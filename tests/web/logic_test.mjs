@@ -20,6 +20,12 @@ import { poseFigures, poseTexts } from "../page/js/pose.js";
 import { Averager } from "../page/js/averaging.js";
 import { Rates, slowText } from "../page/js/rates.js";
 import { describeSonar } from "../page/js/sonar.js";
+import { BottomTracker, kNoBottom } from "../page/js/strip/bottom.js";
+import { StripHistory } from "../page/js/strip/history.js";
+import { stripKind } from "../page/js/strip/kinds.js";
+import { bedPoint, groundRange, heightByShadow, offsetsOf, passesOf } from "../page/js/strip/place.js";
+import { sideFigures, spansShadow } from "../page/js/strip/ruler.js";
+import { underPoint } from "../page/js/draw/plan.js";
 
 Object.assign(globalThis, { document: { documentElement: {} }, getComputedStyle: () => ({ getPropertyValue: () => "#808080" }) });
 
@@ -230,6 +236,113 @@ const failed = await runChecks({
     assert.equal(rulerText(figures), "6.14 m   heading 000°   height by shadow 2.50 m");
     assert.equal(rulerFigures(pose, top, worldPoint(sonar, pose, { range: 20, azimuth: 0.2 }, undefined, 0), 10).rise, null);
     assert.equal(rulerFigures(pose, top, end, NaN).rise, null);
+  },
+
+  async "the fan of a multibeam looks down, with port to the left"() {
+    const sonar = sonarOf(61, 120, { type: "mbes", max_range: 40 });
+    for (const [width, height] of [[900, 600], [700, 640], [400, 300]]) {
+      const plan = makePlan(sonar, "fan", width, height, kHome);
+      const [apex, below, port] = [plan.toScreen(0, 0), plan.place(30, 0), plan.place(30, radians(50))];
+      assert.ok(below[1] > apex[1] && Math.abs(below[0] - apex[0]) < 1e-9, "straight below");
+      assert.ok(port[0] < apex[0] && port[1] > apex[1] && port[1] < below[1], "to port, less deep");
+      const { range, azimuth, beam } = underPoint(plan, ...port);
+      assert.ok(Math.abs(range - 30) < 1e-9 && Math.abs(azimuth - radians(50)) < 1e-9 && beam === 5, `${range}, ${azimuth}, ${beam}`);
+      for (const { text, left, right, y } of labelsOf(sonar, "fan", width, height)) assert.ok(left >= 0 && right <= width && y >= 0 && y <= height, `${text} at ${left}, ${y} of ${width} x ${height}`);
+    }
+  },
+
+  // A ruler over a level distance and one over a drop of 2 m: housing and beams look along -z.
+  async "a ruler in a fan that looks down says how much deeper its end is, and no height by shadow"() {
+    const pose = { position: [0, 0, 20], orientation: quaternionOf([0, radians(90), 0]) };
+    const figures = rulerFigures(pose, [0, 5, 0], [0, -7, -2], 20, true);
+    assert.equal(rulerText(figures), "12.17 m   heading 180°   2.00 m lower");
+    assert.deepEqual([figures.rise, rulerFigures(pose, [0, 5, -2], [0, 5, 0], 20, true).drop], [null, -2]);
+  },
+
+  async "a waterfall keeps so many rows, finds them by ping, and begins another line after a pause"() {
+    const history = new StripHistory(4);
+    const row = (number, time, x = number) => ({ number, time, pose: { position: [x, 0, 0] } });
+    for (let i = 0; i < 6; ++i) history.add(row(i, 0.5 * i), 0.5);
+    assert.deepEqual([history.first, history.count, history.row(1), history.row(2).number, history.row(5).age, history.row(5).way], [2, 6, null, 2, 2.5, 5]);
+    assert.deepEqual([history.find(1, 0.5), history.find(3, 1.5), history.find(3, 1)], [-1, 3, -1]);
+    history.add(row(20, 10), 0.5);  // 7.5 s after a period of half a second
+    history.add(row(0, 0), 0.5);    // a restart: the last interval goes on
+    assert.deepEqual([4, 5, 6, 7].map((i) => history.row(i).seam), [false, false, true, true]);
+    assert.equal(history.newest.age - history.row(6).age, 7.5);
+    history.cut(6);
+    assert.deepEqual([history.count, history.newest.number, history.find(20, 10)], [6, 5, -1]);
+  },
+
+  // Noise of 3 dB at -100 dB up to the bed, of -60 dB from 8 m on, with a fish at 3 m in every tenth ping.
+  async "the first return of the bed is followed through noise and fish, and none is claimed without a bed"() {
+    const sonar = sonarOf(2, 0.5, { type: "sss", product: "waterfall", azimuths: [90, -90], bins: 400, min_range: 0, max_range: 20 });
+    let seed = 7;
+    const random = () => (seed = (seed * 48271) % 2147483647) / 2147483647;
+    const ping = (bed, fish) => Uint16Array.from({ length: 800 }, (_, i) => {
+      const range = (Math.floor(i / 2) + 0.5) * 0.05;
+      const level = range > bed ? -60 - 10 * Math.log10(range / 8) : fish && Math.abs(range - 3) < 0.2 ? -50 : -100;
+      return 100 * (level + 400 + 3 * (random() - 0.5));
+    });
+    const tracker = new BottomTracker(sonar);
+    for (let i = 0; i < 60; ++i) {
+      const bed = 8 + 0.5 * Math.sin(i / 10);
+      const { range, quality } = tracker.add(ping(bed, i % 10 === 5));
+      assert.ok(Math.abs(range - bed) < 0.2 && quality > kNoBottom, `ping ${i}: ${range} m for ${bed}, quality ${quality}`);
+    }
+    assert.ok(new BottomTracker(sonar).add(ping(30, false)).quality < kNoBottom);
+  },
+
+  // The wall of docs/how-to/side-scan.md, 14 m to starboard of a sonar 8 m above the bed, 2 m high: its shadow ends at 14 * 8 / (8 - 2) m.
+  async "a row has places of the bed, a shadow gives a height, and a ruler needs one between its ends"() {
+    const sonar = sonarOf(2, 0.5, { type: "sss", product: "waterfall", azimuths: [90, -90], bins: 350, min_range: 0, max_range: 35 });
+    const [foot, end] = [Math.hypot(14, 8), Math.hypot((14 * 8) / 6, 8)];
+    assert.ok(Math.abs(heightByShadow(8, 8, foot, end) - 2) < 1e-9);
+    assert.deepEqual([heightByShadow(8, 8, 7, end), heightByShadow(0, 0, foot, end)], [null, null]);
+    const level = Uint16Array.from({ length: 700 }, (_, i) => {
+      const range = (Math.floor(i / 2) + 0.5) * 0.1;
+      return range < 8 || (i % 2 === 1 && range > foot && range < end) ? 0 : 34000;
+    });
+    const history = new StripHistory(10);
+    // Along y, which is ahead: starboard is x.
+    for (let i = 0; i < 5; ++i) history.add({ sonar: "s", number: i, time: i, pose: { position: [0, i, 8], orientation: quaternionOf([0, 0, radians(90)]) }, bottom: 8, altitude: 8, beams: 2, bins: 350, tables: { level } }, 1);
+    const mark = (number, beam, range) => ({ point: bedPoint(history.row(number), beam, range), sonar: "s", number, time: number, range, beam });
+    const close = (found, expected) => found.forEach((each, i) => assert.ok(Math.abs(each - expected[i]) < 1e-6, `${found} is not ${expected}`));
+    close(mark(3, 1, foot).point, [14, 3, 0]);
+    close(mark(3, 0, foot).point, [-14, 3, 0]);
+    close(mark(3, 0, 5).point, [0, 3, 3]);  // In the water below the sonar.
+    close([groundRange(10, 8), groundRange(5, 8)], [6, 0]);
+    assert.ok(spansShadow(sonar, [history.row(0)], 1, foot, end) && !spansShadow(sonar, [history.row(0)], 0, foot, end));
+    const shown = { sonar, corrected: true };
+    const shadow = sideFigures(shown, history, mark(2, 1, foot), mark(2, 1, end));
+    close([shadow.rise, shadow.across, shadow.along, shadow.length], [2, (14 * 8) / 6 - 14, 0, (14 * 8) / 6 - 14]);
+    const both = sideFigures(shown, history, mark(0, 0, foot), mark(4, 1, foot));
+    close([both.across, both.along, both.length], [28, 4, Math.hypot(28, 4)]);
+    assert.equal(both.rise, null);
+    close([sideFigures({ sonar, corrected: false }, history, mark(0, 0, foot), mark(4, 1, foot)).across], [2 * foot]);
+    assert.match(rulerText(shadow), /^4\.67 m   heading 090°   across 4\.67 m \(ground\)   along 0\.00 m   height by shadow 2\.00 m$/);
+    // A point of the world is in the row that passed nearest to it.
+    assert.deepEqual(passesOf(history, 0, 4, [5, 2.2, 0]), [2]);
+    assert.deepEqual(passesOf(history, 0, 4, [5, 9, 0]), []);
+    close([offsetsOf(history.row(2), [5, 2.2, 0]).ahead], [0.2]);
+  },
+
+  async "a side-scan waterfall has port to the left of the track, and ranges that are those under the cursor again"() {
+    const sonar = sonarOf(2, 0.5, { type: "sss", product: "waterfall", azimuths: [90, -90], bins: 400, min_range: 0.5, max_range: 20 });
+    const kind = stripKind(sonar, "strongest");
+    const row = { bottom: 6 };
+    for (const corrected of [false, true]) {
+      for (const [beam, range] of [[0, 9], [1, 15]]) {
+        const share = kind.share(sonar, row, { beam, range }, { corrected });
+        const across = corrected ? Math.sqrt(range * range - 36) : range;
+        assert.ok(Math.abs(share - (0.5 + ((beam ? 0.5 : -0.5) * across) / 20)) < 1e-9);
+        const place = kind.at(sonar, row, share, { corrected });
+        assert.deepEqual([place.beam, place.bin], [beam, Math.floor((range - 0.5) / (19.5 / 400))]);
+        assert.ok(Math.abs(place.range - range) < 1e-9);
+      }
+    }
+    assert.equal(kind.at(sonar, row, 0.5001, { corrected: false }), null, "nearer than the first bin");
+    assert.deepEqual([[0, 10, 1], [0, 0, 1], [1, 0, -1], [1, 5, 1]].map(([beam, bin, to]) => kind.step(sonar, { beam, bin }, to)),
+      [{ beam: 0, bin: 9 }, { beam: 1, bin: 0 }, { beam: 0, bin: 0 }, { beam: 1, bin: 6 }]);
   },
 
   async "the 3-D view has points of the world where its camera sees them"() {

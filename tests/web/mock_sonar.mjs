@@ -12,12 +12,61 @@ export function makeSonars() {
   ];
 }
 
+/** A side-scan sonar, and a multibeam of 61 beams 2 degrees apart. */
+export function makeSurveyors() {
+  const both = { step: 0, gain_db: 0, period: 0.1, reference: "dB re source at 1 m", levels: [-110, -30], min_range: 0 };
+  return [
+    { ...both, name: "sides", type: "sss", product: "waterfall", beams: 2, bins: 400, max_range: 20, azimuths: [90, -90], elevation_aperture: 60, elevation_center: -40, azimuth_aperture: 0.5 },
+    { ...both, name: "swath", type: "mbes", product: "image", beams: 61, bins: 300, max_range: 15, azimuths: Array.from({ length: 61 }, (_, i) => 60 - 2 * i), elevation_aperture: 2, azimuth_aperture: 122 },
+  ];
+}
+
 export function setBins(sonar, bins) {
   sonar.bins = bins;
 }
 
 const kWallAt = 18;      // x of a wall [m]
 const kBedBelow = 3;     // depth of the bed below the sonar [m]
+
+/** A wall of 1 m on the bed, 8 m to starboard of x, from `from` to `to` along it [m]: with the sonar 3 m above the bed its foot is at
+ * sqrt(8^2 + 3^2) = 8.544 m, and its shadow ends at 8 * 3 / (3 - 1) = 12 m, sqrt(12^2 + 3^2) = 12.369 m. */
+export const kFence = { across: 8, height: 1, from: -1, to: 1 };
+
+// Level of the bed, and of the fence, in a cell of a side-scan sonar [dB]; null in the water and in the shadow.
+function sideEcho({ position: [x, , z] }, beam, range) {
+  const above = z + kBedBelow;
+  if (range < above) return null;
+  const across = Math.sqrt(range * range - above * above);
+  if (beam === 1 && x >= kFence.from && x <= kFence.to) {
+    const end = (kFence.across * above) / (above - kFence.height);
+    if (Math.abs(across - kFence.across) < 0.1) return -40;
+    if (across > kFence.across && across < end) return null;
+  }
+  return -55 - 10 * Math.log10(range);
+}
+
+function makeSideTables(sonar, vehicle) {
+  const level = new Uint16Array(sonar.beams * sonar.bins);
+  for (let i = 0; i < level.length; ++i) {
+    const range = (Math.floor(i / 2) + 0.5) * (sonar.max_range / sonar.bins);
+    const echo = sideEcho(vehicle, i % 2, range);
+    level[i] = echo === null ? 0 : Math.round((echo + 400) * 100);
+  }
+  return { level };
+}
+
+// A level bed below; the outermost beam has no sounding, the middle ones are found by amplitude.
+function makeSwathTables(sonar, { position: [, , z] }) {
+  const { beams, bins } = sonar;
+  const ranges = sonar.azimuths.map((azimuth) => (z + kBedBelow) / Math.cos((azimuth * Math.PI) / 180));
+  const level = new Uint16Array(beams * bins);
+  ranges.forEach((range, beam) => (level[Math.floor((range / sonar.max_range) * bins) * beams + beam] = 35500));
+  const sounding_range = Float32Array.from(ranges, (range, beam) => (beam === 0 ? NaN : range));
+  const detection = Uint8Array.from(ranges, (_, beam) => (beam === 0 ? 0 : Math.abs(beam - 30) < 10 ? 1 : 2));
+  return { level, sounding_range, detection };
+}
+
+const kTables = { sss: makeSideTables, mbes: makeSwathTables };
 
 /** Echo in a cell as [level in dB, instance, material, elevation], or null. */
 function echo(sonar, vehicle, azimuth, range, binLength, beamWidth, noise) {
@@ -63,12 +112,16 @@ function makeTables(sonar, vehicle, headAngle, withNoise) {
 /** Binary message of one ping. Without noise, tables that `made` has are not made again. */
 export function makePing(sonar, number, vehicle, headAngle, wanted, withNoise, made) {
   const key = JSON.stringify([sonar.name, sonar.beams, sonar.bins, sonar.max_range, vehicle, headAngle]);
-  const tables = (!withNoise && made.get(key)) || makeTables(sonar, vehicle, headAngle, withNoise);
+  const make = kTables[sonar.type] ?? makeTables;
+  const tables = (!withNoise && made.get(key)) || make(sonar, vehicle, headAngle, withNoise);
   if (!made.has(key)) made.clear();
   made.set(key, tables);
   const orientation = [Math.cos(vehicle.yaw / 2), 0, 0, Math.sin(vehicle.yaw / 2)];
   const pose = { position: vehicle.position, orientation };
-  const header = { sonar: sonar.name, number, time: number * sonar.period, beams: sonar.beams, bins: sonar.bins, ...pose, vehicle: pose, head_angle: (headAngle * 180) / Math.PI, ms: 7.5 };
+  // The housing of a multibeam looks down: its x axis.
+  const [w, , , z] = orientation;
+  const beams = sonar.type === "mbes" ? { position: vehicle.position, orientation: [w, -z, w, z].map((part) => part * Math.SQRT1_2) } : pose;
+  const header = { sonar: sonar.name, number, time: number * sonar.period, beams: sonar.beams, bins: sonar.bins, ...beams, vehicle: pose, head_angle: (headAngle * 180) / Math.PI, ms: 7.5 };
   return encode(1, header, Object.entries(tables).filter(([name]) => wanted.includes(name)));
 }
 

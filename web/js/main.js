@@ -86,7 +86,7 @@ const redrawAll = () => {
   waterfall?.draw();
 };
 setUpSnapshot(store, picture, redrawAll, notes);
-setUpVideo(store, picture, notes);
+setUpVideo(store, () => (store.get("main") === "waterfall" && waterfall) || picture, notes);
 const flight = new Flight(store, (message) => isRecording(store) || request(message), notes);
 setUpSticks(flight);
 setUpGamepad(flight);

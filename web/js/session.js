@@ -156,12 +156,12 @@ export class Session {
     this.changed();
   }
 
-  // The fan of a very narrow sonar is a line: it begins as polar picture, and the next sonar as the one before it.
+  // The fan of a very narrow sonar is a line, and a side-scan sonar has none: it begins as polar picture, and the next sonar as the one before it.
   #modeFor(sonar, same) {
     const now = this.store.get("mode");
     const kNarrow = radians(4);
     const { pictures, gathers } = sonar.product;
-    const isNarrow = !gathers && (sonar.beams === 1 || sonar.ports[0] - sonar.starboards.at(-1) < kNarrow);
+    const isNarrow = sonar.product.sides || !gathers && (sonar.beams === 1 || sonar.ports[0] - sonar.starboards.at(-1) < kNarrow);
     const wanted = same ? now : isNarrow ? "polar" : this.#modeBefore || now;
     if (!same) this.#modeBefore = isNarrow ? this.#modeBefore || now : "";
     return pictures.includes(wanted) ? wanted : pictures[0];

@@ -108,6 +108,7 @@ Json sonar_json(const LiveWorld& world, int index, const ShownLevels& levels) {
           {"beams", sonar.beam_count},
           {"bins", sonar.bin_count},
           {"min_range", sonar.min_range},
+          {"dead_range", std::max(sonar.dead_range, sonar.blanking_range)},
           {"max_range", sonar.max_range},
           {"azimuths", azimuths},
           {"azimuth_edges", edges},

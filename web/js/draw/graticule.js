@@ -189,6 +189,10 @@ function drawPolarGrid(context, plan) {
   const labels = [];
   const [, bottom] = plan.toScreen(0, sonar.min_range);
   const [, top] = plan.toScreen(0, sonar.max_range);
+  if (sonar.product.sides) {
+    drawSides(context, plan, bottom, top);
+    return;
+  }
   const [port, starboard] = [sonar.ports[0], sonar.starboards.at(-1)];
   for (const azimuth of [...radialsOf(plan, port, starboard), ...(port > 0 && starboard < 0 ? [0] : [])]) {
     const [x] = plan.place(sonar.max_range, Math.min(Math.max(azimuth, starboard + 1e-9), port));
@@ -200,6 +204,17 @@ function drawPolarGrid(context, plan) {
     labels.push({ isEdge, text: radialText(sonar, azimuth), align: "center", baseline: "middle", x, y: bottom + 12 });
   }
   writeApart(context, plan, labels);
+}
+
+// The two beams of a side-scan sonar, side by side.
+function drawSides(context, plan, bottom, top) {
+  const [x] = plan.toScreen(1, 0);
+  context.beginPath();
+  context.moveTo(x, bottom);
+  context.lineTo(x, top);
+  context.stroke();
+  const label = (text, beam) => ({ isEdge: false, text, align: "center", baseline: "middle", x: plan.toScreen(beam + 0.5, 0)[0], y: bottom + 12 });
+  writeApart(context, plan, [label("port", 0), label("starboard", 1)]);
 }
 
 function drawSweep(context, plan, headAngle) {

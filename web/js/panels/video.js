@@ -1,14 +1,15 @@
-// video.js -- records the sonar picture as it is drawn, as WebM, and offers it for download.
+// video.js -- records the sonar picture, or the waterfall where that is large, as it is drawn, as WebM, and offers it for download.
 
 import { byId, download, themeColour, write } from "../dom.js";
-import { levelBar, paintColourBar } from "../draw/colour_bar.js";
+import { paintColourBar } from "../draw/colour_bar.js";
 import { clock } from "../format.js";
 
 const kTypes = ["video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm"];
 const kPerSecond = 25;
 const kBar = 286;
 
-export function setUpVideo(store, picture, notes) {
+/** `largest()` is the view to record. */
+export function setUpVideo(store, largest, notes) {
   let recorder = null;
   byId("video").addEventListener("click", () => {
     if (recorder) {
@@ -20,7 +21,7 @@ export function setUpVideo(store, picture, notes) {
       notes.error("This browser records no video (it has no MediaRecorder for WebM).");
       return;
     }
-    recorder = record(store, picture, type, (blob, seconds) => {
+    recorder = record(largest(), type, (blob, seconds) => {
       recorder = null;
       byId("video").setAttribute("aria-pressed", "false");
       write(byId("video-text"), "Video");
@@ -33,26 +34,28 @@ export function setUpVideo(store, picture, notes) {
 }
 
 // Copies each drawn picture onto a canvas of even size, which the browser records; done(blob, seconds) at its end.
-function record(store, picture, type, done) {
+function record(view, type, done) {
   const canvas = document.createElement("canvas");
-  [canvas.width, canvas.height] = [picture.canvas.width, picture.canvas.height].map((size) => Math.max(2, size - (size % 2)));
-  const scale = canvas.width / picture.canvas.clientWidth;
+  [canvas.width, canvas.height] = [view.lines.width, view.lines.height].map((size) => Math.max(2, size - (size % 2)));
+  const scale = canvas.width / view.lines.clientWidth;
   const context = canvas.getContext("2d");
-  picture.afterDraw = () => {
+  view.afterDraw = () => {
     context.fillStyle = themeColour("--panel");
     context.fillRect(0, 0, canvas.width, canvas.height);
-    for (const part of [picture.canvas, picture.lines]) context.drawImage(part, 0, 0, canvas.width, canvas.height);
+    const { offsetLeft, offsetTop, clientWidth, clientHeight } = view.canvas;
+    context.drawImage(view.canvas, ...[offsetLeft, offsetTop, clientWidth, clientHeight].map((size) => size * scale));
+    context.drawImage(view.lines, 0, 0, canvas.width, canvas.height);
     context.save();
     context.scale(scale, scale);
     context.font = "12px system-ui, sans-serif";
     context.textBaseline = "top";
     context.fillStyle = themeColour("--text");
-    byId("picture-caption").textContent.split("\n").forEach((line, i) => context.fillText(line, 12, 9 + 16 * i));
+    view.captionText.split("\n").forEach((line, i) => context.fillText(line, 12, 9 + 16 * i));
     context.translate(canvas.width / scale - kBar - 8, canvas.height / scale - 52);
-    paintColourBar(context, levelBar(store), kBar);
+    paintColourBar(context, view.bar, kBar);
     context.restore();
   };
-  picture.draw();
+  view.draw();
   const parts = [];
   const start = performance.now();
   const recorder = new MediaRecorder(canvas.captureStream(kPerSecond), { mimeType: type, videoBitsPerSecond: 6e6 });
@@ -60,7 +63,7 @@ function record(store, picture, type, done) {
   recorder.addEventListener("dataavailable", ({ data }) => parts.push(data));
   recorder.addEventListener("stop", () => {
     clearInterval(clockText);
-    picture.afterDraw = null;
+    view.afterDraw = null;
     done(new Blob(parts, { type }), (performance.now() - start) / 1000);
   });
   recorder.start();

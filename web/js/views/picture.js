@@ -114,6 +114,14 @@ export class PictureView {
     drawMarks(context, plan.width, placesOf, { markers: store.get("markers"), ruler, text });
   }
 
+  get captionText() {
+    return this.part("picture-caption").textContent;
+  }
+
+  get bar() {
+    return levelBar(this.store);
+  }
+
   /** How many pixels of the screen a bin would need to be seen whole. */
   get pixelsNeeded() {
     const { sonar, toScreen } = this.plan;

@@ -222,6 +222,10 @@ export class WaterfallView {
     return { low: span[0], high: span[1], map: kHeightMap, text: level === null ? "z of the soundings [m]" : `z of the soundings [m], surface at ${number(level, 1)}` };
   }
 
+  get captionText() {
+    return byId("waterfall-caption").textContent;
+  }
+
   #caption() {
     const { history, store, strip, shown } = this;
     const { sonar, beam, kind } = strip;
