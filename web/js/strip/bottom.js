@@ -1,4 +1,4 @@
-// bottom.js -- the first return of the bottom in the pings of a side-scan sonar, as they come: the scores of
+// bottom.js -- the first return of the bottom in the pings of a side-scan sonar, as they come, each side by itself: the scores of
 // docs/concepts/side-scan-products.md, where each ping is decided by itself and those before it.
 
 import { rotate } from "../geometry.js";
@@ -11,6 +11,8 @@ const kDeepest = 60;         // level of silence below the median level [dB]
 const kSteps = 64;           // classes of the histogram
 const kCostlyChange = 0.02;  // change of range, as a share of all cells, that costs as much as the best score gains
 const kForgets = 0.9;        // part of the gains that is left at the next ping: a jump is believed after some pings
+const kAgree = 0.05;         // share of the range by which sides may differ that see the same bed
+const kPings = 5;            // pings of the running median
 
 /** Quality below which a first return is a guess. */
 export const kNoBottom = 0.3;
@@ -27,22 +29,35 @@ export class BottomTracker {
     this.length = this.group * sonar.binLength;
     this.window = Math.max(8, Math.round(0.03 * this.count));
     this.lead = Math.max(0, Math.ceil(((sonar.dead_range ?? 0) - sonar.min_range) / this.length));
-    this.gain = new Float64Array(this.count);
+    this.gains = Array.from({ length: sonar.beams }, () => new Float64Array(this.count));
+    this.last = [];  // ranges of the last pings, newest last [m]
   }
 
   /** { range [m], quality 0 to 1 } of a ping by its levels [bin][beam]. */
   add(level) {
-    const sides = Array.from({ length: this.sonar.beams }, (_, beam) => this.#levels(level, beam));
-    const scores = sides.map((levels) => this.#scores(levels));
-    this.#spread();
+    const [port, starboard] = this.gains.map((gain, beam) => this.#side(gain, level, beam));
+    const before = this.last.at(-1) ?? Infinity;  // At first the farther one: what is nearer may be on the bed.
+    const farther = Math.max(port.range, starboard.range);
+    const agree = farther - Math.min(port.range, starboard.range) <= kAgree * farther;
+    const isNearer = (a, b) => Math.abs(a.range - before) <= Math.abs(b.range - before);
+    const one = before === Infinity ? port.range >= starboard.range : isNearer(port, starboard);
+    const { range, quality } = agree ? meanOf(port, starboard) : one ? port : starboard;
+    this.last = [...this.last, range].slice(-kPings);
+    const sorted = [...this.last].sort((a, b) => a - b);
+    return { range: sorted[sorted.length >> 1], quality };
+  }
+
+  // The first return of one side.
+  #side(gain, level, beam) {
+    const levels = this.#levels(level, beam);
+    const scores = this.#scores(levels);
+    this.#spread(gain);
     let best = 0;
     for (let cell = 0; cell < this.count; ++cell) {
-      for (const side of scores) this.gain[cell] += side[cell] / scores.length;
-      if (this.gain[cell] > this.gain[best]) best = cell;
+      gain[cell] += scores[cell];
+      if (gain[cell] > gain[best]) best = cell;
     }
-    const mean = (values) => values.reduce((sum, value) => sum + value, 0) / values.length;
-    const foot = mean(sides.map((levels) => footOf(levels, this.lead, best, this.window)));
-    return { range: this.sonar.min_range + foot * this.length, quality: mean(scores.map((side) => side[best])) };
+    return { range: this.sonar.min_range + footOf(levels, this.lead, best, this.window) * this.length, quality: scores[best] };
   }
 
   // Levels of the cells of a beam [dB], by a running median.
@@ -82,14 +97,16 @@ export class BottomTracker {
   }
 
   // What each cell has gained by the best way to it.
-  #spread() {
-    const { gain, count } = this;
+  #spread(gain) {
+    const { count } = this;
     const cost = 1 / (kCostlyChange * count);
     for (let cell = 0; cell < count; ++cell) gain[cell] *= kForgets;
     for (let cell = 1; cell < count; ++cell) gain[cell] = Math.max(gain[cell], gain[cell - 1] - cost);
     for (let cell = count - 1; cell > 0; --cell) gain[cell - 1] = Math.max(gain[cell - 1], gain[cell] - cost);
   }
 }
+
+const meanOf = (a, b) => ({ range: (a.range + b.range) / 2, quality: (a.quality + b.quality) / 2 });
 
 // Mean and standard deviation of levels [from, to), by running sums.
 function momentsOf(levels) {

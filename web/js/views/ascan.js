@@ -29,7 +29,7 @@ export class AscanView {
     if (!sonar || !ping) return;
     const { product } = sonar;
     const azimuth = product.azimuth(sonar, ping, beam);
-    write(byId("ascan-caption"), `${product.beam(beam)}${bearing(azimuth, sonar.vertical)}${cursor ? "" : product.chosen}`);
+    write(byId("ascan-caption"), `${product.beam(beam)}${product.sides ? "" : bearing(azimuth, sonar.vertical)}${cursor ? "" : product.chosen}`);
     const low = store.get("low");
     const trace = traceOf(sonar, ping, beam, store);
     // The axis reaches to the loudest bin, also where the picture's colours end below it.
