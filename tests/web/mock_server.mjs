@@ -154,7 +154,7 @@ export class MockServer {
   /** @param asked  Whether pages have asked for this one, and get it however slow they are. */
   #ping(asked = false) {
     if (this.sockets.clients.size === 0) return;
-    const sockets = [...this.sockets.clients].filter(({ watch }) => watch);
+    const sockets = [...this.sockets.clients].filter(({ watch }) => watch && this.#sonar(watch));
     if (sockets.some(({ watch }) => this.#sonar(watch).type === "msis")) this.headAngle += (this.sonars[1].step * Math.PI) / 180;
     const lacks = this.keys.model.value === "paper" ? ["shadow", "multipath"] : [];
     for (const socket of sockets) {

@@ -9,7 +9,7 @@ needBrowser();
 const { default: puppeteer } = await need("puppeteer-core");
 await need("ws");
 const { MockServer } = await import("./mock_server.mjs");
-const { kPoint, kHostile } = await import("./mock_sonar.mjs");
+const { kFence, kHostile, kPoint, makeSurveyors } = await import("./mock_sonar.mjs");
 
 const server = new MockServer({ rate: 4 });
 const address = await server.start();
@@ -79,6 +79,49 @@ const withSide = (check) => async () => {
     await page.evaluate(() => insonify.store.set({ side: false }));
   }
 };
+
+/** Where a ping's slant range to a side (0 port, 1 starboard), or a share of its row, lies in the window. */
+const placeInRow = (number, beam, range) => page.evaluate((ping, place) => {
+  const view = insonify.waterfall;
+  const index = Array.from({ length: view.count }, (_, i) => i).find((i) => view.history.row(i)?.number === ping);
+  const { kind, sonar } = view.strip;
+  const box = document.getElementById("waterfall-stage").getBoundingClientRect();
+  const share = typeof place.range === "number" ? kind.share(sonar, view.history.row(index), place, view.shown) : (place.beam + 0.5) / sonar.beams;
+  return [box.left + view.plan.xOf(share), box.top + view.plan.yOf(index)];
+}, number, { beam, range });
+
+/** A view of another sonar of a paused server, which has flown along x by 0.1 m a ping, `pings` of them. */
+async function surveyed(name, pings) {
+  await serverPauses(true);
+  server.sonars.push(...makeSurveyors());
+  server.say(server.hello());
+  server.number = 0;
+  await choose("sonar", name);
+  await until(async () => (await get("sonar")).name === name, name);
+  await until(() => page.evaluate(() => Boolean(insonify.waterfall)), "the waterfall");
+  await page.evaluate(() => insonify.waterfall.clear());
+  for (let i = 0; i < pings; ++i) await flown(-2 + 0.1 * i);
+}
+
+/** One ping more, at x. */
+async function flown(x) {
+  server.vehicle = { position: [x, 0, 0], yaw: 0 };
+  const { number } = server;
+  await press("step");
+  await until(async () => (await get("ping"))?.number === number && (await page.evaluate(() => insonify.waterfall.history.newest?.number)) === number, `ping ${number}`);
+}
+
+async function leaveSurvey() {
+  server.sonars.length = 2;
+  server.vehicle = { position: [0, 0, 0], yaw: 0 };
+  server.say(server.hello());
+  await choose("sonar", "fls");
+  await until(async () => (await get("sonar")).name === "fls", "the fan");
+  await page.evaluate(() => insonify.store.set({ main: "picture", ruler: null, tool: null, corrected: false, bottomLine: false }));
+  server.say({ op: "markers", markers: [] });
+  await serverPauses(false);
+  await ping();
+}
 
 if (process.argv[2]) await recover();  // Without the first check, which opens the page.
 
@@ -793,6 +836,116 @@ const failed = await runChecks({
     assert.equal(await page.$eval("#markers", (node) => node.children.length), 0);
     await press("tab-display");
   },
+
+  // The sonar is 3 m above the bed, and passes a wall between its pings 10 and 30.
+  "a side-scan waterfall scrolls, looks back without a jump, measures a shadow and has markers": withSide(async () => {
+    await surveyed("sides", 40);
+    assert.equal(await get("main"), "waterfall");
+    const rows = () => page.evaluate(() => ({ top: insonify.waterfall.topRow, count: insonify.waterfall.count, live: document.getElementById("waterfall-live").hidden }));
+    assert.deepEqual(await rows(), { top: 39, count: 40, live: true });
+    const altitudes = await page.evaluate(() => Array.from({ length: 40 }, (_, i) => insonify.waterfall.history.row(i).altitude));
+    altitudes.forEach((altitude, i) => assert.ok(Math.abs(altitude - 3) < 0.11, `ping ${i}: ${altitude} m`));
+
+    // Higher rows, so that they do not all fit; the wheel goes back, and new pings move nothing.
+    await page.evaluate(() => {
+      insonify.waterfall.pixels = 24;
+      insonify.waterfall.setTop(null);
+    });
+    const fits = await page.evaluate(() => Math.floor(insonify.waterfall.visible));
+    assert.ok(fits > 12 && fits < 38, `${fits} rows`);
+    await page.mouse.move(...(await placeInRow(37, 0, 15)));
+    await page.mouse.wheel({ deltaY: 12 });
+    const { top } = await until(async () => ((await rows()).top < 39 ? rows() : null), "rows back");
+    const under = async () => (await get("cursor"))?.row.number;
+    const before = await under();
+    for (const x of [2, 2.1, 2.2]) await flown(x);
+    assert.deepEqual([await rows(), await under()], [{ top, count: 43, live: false }, before]);
+    const caption = `Port   |   starboard   slant range   ping ${top}   0:0${(0.1 * top).toFixed(1)} s   altitude 3.0 m   ${(0.1 * (42 - top)).toFixed(1)} s back`;
+    await until(async () => (await text("waterfall-caption")) === caption, `the caption ${caption}`);
+    await page.keyboard.press("End");
+    await until(async () => (await rows()).top === 42, "the newest");
+    await page.keyboard.press("Home");
+    await until(async () => (await rows()).top === fits - 1, "the oldest");
+    await press("waterfall-live");
+    assert.deepEqual(await rows(), { top: 42, count: 43, live: true });
+    await page.keyboard.press("PageDown");
+    await until(async () => (await rows()).top < 42, "a page back");
+
+    // The wall's foot is at 8.544 m, the end of its shadow at 12.369 m: 12 - 8 = 4 m on the bed.
+    await page.evaluate(() => insonify.waterfall.setTop(30));
+    await until(() => page.evaluate(() => insonify.waterfall.topRow === 30), "row 30");
+    await press("tool-ruler");
+    const [foot, end] = [kFence.across, (kFence.across * 3) / (3 - kFence.height)].map((across) => Math.hypot(across, 3));
+    for (const range of [foot + 0.1, end - 0.02]) await page.mouse.click(...(await placeInRow(20, 1, range)));
+    await until(async () => (await get("ruler"))?.to, "two points");
+    const reads = () => page.evaluate(async () => {
+      const { stripRulerText } = await import("./js/strip/ruler.js");
+      const { shown, history, store } = insonify.waterfall;
+      return stripRulerText(shown, history, store.get("ruler"));
+    });
+    const height = Number((await reads()).match(/height by shadow ([\d.]+) m$/)?.[1]);
+    assert.ok(Math.abs(height - kFence.height) < 0.06, await reads());
+    assert.match(await reads(), /across 3\.[67]\d m \(slant\)   along 0\.00 m/);
+    await press("tool-ground");
+    await until(() => page.evaluate(() => insonify.waterfall.shown.corrected), "ranges on the bed");
+    assert.match(await reads(), /across 3\.[89]\d m \(ground\)   along 0\.00 m/);
+    // To the other side and 8 pings on: no shadow, and along it 0.8 m.
+    await page.mouse.click(...(await placeInRow(20, 0, 5)));
+    await page.mouse.click(...(await placeInRow(28, 1, 5)));
+    await until(async () => /across 8\.\d\d m \(ground\)   along 0\.80 m$/.test(await reads()), "a ruler over both sides");
+
+    // A marker at 8.544 m to starboard of ping 20 is at (0, -8, -3): it has the ping, the range and the side, and lies on its row.
+    await press("tool-marker");
+    server.requests.length = 0;
+    await page.mouse.click(...(await placeInRow(20, 1, foot)));
+    const { markers: [marker] } = await told("mark");
+    assert.deepEqual([marker.name, marker.sonar, marker.ping, marker.side], ["M1", "sides", 20, "starboard"]);
+    assert.ok(Math.abs(marker.range - foot) < 0.03, `${marker.range} m`);
+    [0, -8, -3].forEach((each, i) => assert.ok(Math.abs(marker.position[i] - each) < 0.12, String(marker.position)));
+    await leaveSurvey();
+  }),
+
+  "a frozen waterfall stays, and has the pings that came meanwhile": withSide(async () => {
+    await surveyed("sides", 5);
+    await press("freeze");
+    await flown(0);
+    await flown(0.1);
+    assert.deepEqual(await page.evaluate(() => [insonify.waterfall.topRow, insonify.waterfall.count]), [4, 7]);
+    await press("freeze");
+    assert.equal(await page.evaluate(() => insonify.waterfall.topRow), 6);
+    await leaveSurvey();
+  }),
+
+  // The bed is level, 3 m below: ranges are 3 / cos of the angle.
+  "a multibeam looks down with its soundings, and its waterfall has their depths": withSide(async () => {
+    await surveyed("swath", 6);
+    assert.deepEqual([await get("main"), await get("mode"), await get("waterfallOf")], ["picture", "fan", "depths"]);
+    const [apex, below, port] = await page.evaluate(() => {
+      const { plan } = insonify.picture;
+      return [plan.toScreen(0, 0), plan.place(3, 0), plan.place(6, Math.PI / 3)];
+    });
+    assert.ok(below[1] > apex[1] && port[0] < apex[0] && Math.abs(port[1] - below[1]) < 1e-6, `${apex}, ${below}, ${port}`);
+    assert.match(await text("picture-caption"), /soundings: 19 by amplitude \(blue\), 41 by phase \(green\)$/);
+    const heights = await page.evaluate(() => [...insonify.waterfall.history.newest.values].map((z) => (Number.isNaN(z) ? null : z)));
+    assert.equal(heights[0], null);
+    heights.slice(1).forEach((z, i) => assert.ok(Math.abs(z + 3) < 1e-5, `beam ${i + 1}: ${z} m`));
+    // By ruler from 45 degrees to port to 45 to starboard along the bed: 6 m, none lower.
+    await press("tool-ruler");
+    for (const azimuth of [Math.PI / 4, -Math.PI / 4]) await page.mouse.click(...(await placeOf(3 * Math.SQRT2, azimuth)));
+    const { from, to } = await until(async () => (await get("ruler"))?.to && get("ruler"), "two points");
+    assert.ok(Math.abs(from.point[1] - to.point[1] - 6) < 0.15 && Math.abs(from.point[2] - to.point[2]) < 0.1, JSON.stringify([from, to]));
+    // In the waterfall a click takes the beam's sounding.
+    await page.evaluate(() => insonify.store.set({ main: "waterfall" }));
+    await until(() => page.evaluate(() => document.getElementById("waterfall").clientWidth > 600), "a large waterfall");
+    await press("tool-marker");
+    server.requests.length = 0;
+    await page.mouse.click(...(await placeInRow(3, 45)));
+    const { markers: [marker] } = await told("mark");
+    // Beam 45 looks 30 degrees to starboard: y = -3 tan 30.
+    assert.deepEqual([marker.ping, marker.side], [3, undefined]);
+    [-1.7, -3 * Math.tan(Math.PI / 6), -3].forEach((each, i) => assert.ok(Math.abs(marker.position[i] - each) < 1e-4, String(marker.position)));
+    await leaveSurvey();
+  }),
 
   async "every control has a name that a screen reader finds"() {
     const nameless = await page.evaluate(() => [...document.querySelectorAll("button, select, input")].filter((node) => {

@@ -94,7 +94,7 @@ export class WaterfallView {
     if (!strip.kind.heights) row.peak = peakOf(strip.sonar, values, strip.group, store.get("tvg"));
     history.add(row, strip.sonar.period ?? Infinity);
     this.renderer.write(history.slot(history.count - 1), row);
-    this.setTop(this.top);
+    this.#hold();
     if (this.pointer && !store.get("frozen")) this.#hover(...this.pointer);
     this.redraw();
   }
@@ -131,14 +131,21 @@ export class WaterfallView {
     return this.top ?? this.history.count - 1;
   }
 
-  /** Puts a row at the top, as far as there are rows; the newest: live. */
+  /** Puts a row at the top, as far as there are rows; the newest: live, unless it is frozen. */
   setTop(index) {
     const { history } = this;
-    const lowest = Math.min(history.count - 1, history.first + Math.floor(this.visible) - 1);
-    this.top = index === null || index >= history.count - 1 && !this.store.get("frozen") ? null : Math.max(lowest, Math.min(index, history.count - 1));
+    const newest = history.count - 1;
+    const lowest = Math.min(newest, history.first + Math.floor(this.visible) - 1);
+    const isLive = index === null || index >= newest;
+    this.top = isLive && !this.store.get("frozen") ? null : Math.max(lowest, Math.min(index ?? newest, newest));
     if (this.top === null) this.rest = 0;
     byId("waterfall-live").hidden = this.top === null || this.store.get("frozen");
     this.redraw();
+  }
+
+  // The row at the top stays there as others are added, as long as it is kept.
+  #hold() {
+    if (this.top !== null) this.top = Math.max(this.top, this.history.first);
   }
 
   /** Goes back by so many rows, or forth. */
