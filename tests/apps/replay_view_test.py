@@ -139,6 +139,37 @@ class Replaying(unittest.TestCase):
         finally:
             server.close()
 
+    def test_soundings_of_a_multibeam_are_those_of_the_file(self):
+        scenario = """
+world: bed.obj
+pings: 2
+sonars: [{name: head, preset: r2sonic-2024, mode: 400khz, max_range: 25, bin_count: 250}]
+trajectory: [{time: 0, position: [0, 0, 8]}]
+"""
+        bed = "v -60 -60 0\nv 60 -60 0\nv 60 60 0\nv -60 60 0\nf 1 2 3 4\n"
+        server = Server("--paused", command=("replay", "out/head.h5", "--view"), before=(RUN,), scenario=scenario, others={"bed.obj": bed})
+        try:
+            page = Socket(server.port)
+            self.assertEqual(page.open()[0], 101)
+            sonar = page.text("hello")["sonars"][0]
+            self.assertEqual((sonar["type"], sonar["product"], len(sonar["azimuths"])), ("mbes", "image", sonar["beams"]))
+            page.say(op="watch", sonar="head", tables=["level", "sounding_range", "detection"])
+            page.say(op="seek", time=0)
+            while True:
+                header, body = page.ping("head")
+                tables = {table["name"]: body[table["offset"]:] for table in header["tables"]}
+                if len(tables) == 3:
+                    break
+            with h5py.File(server.path / "out/head.h5") as file:
+                ranges = numpy.frombuffer(tables["sounding_range"], "<f4", sonar["beams"])
+                numpy.testing.assert_array_equal(ranges, file["sounding_range"][header["number"]])
+                detection = numpy.frombuffer(tables["detection"], "u1", sonar["beams"])
+                numpy.testing.assert_array_equal(detection, file["sounding_detection"][header["number"]])
+            self.assertGreater((detection == 1).sum(), 5)
+            self.assertLess(abs(numpy.nanmin(ranges) - 8), 0.3)
+        finally:
+            server.close()
+
     def test_pings_are_those_of_the_file(self):
         for sonar, at in (("fls", 0.7), ("head", 0.7), ("fls", 1.2)):
             self.seek(at)

@@ -245,7 +245,12 @@ class Serving(unittest.TestCase):
         one.say(op="mark", markers=[marker])
         self.assertEqual(other.text("markers")["markers"], [marker])
         self.assertEqual(self.page().text("markers")["markers"], [marker])  # Of one that comes later, too.
-        for markers, text in (([marker] * 1001, "1001 markers are too many; the most are 1000"),
+        aside = {**marker, "range": 8.5, "side": "starboard"}
+        one.say(op="mark", markers=[aside])
+        self.assertEqual(other.text("markers")["markers"], [aside])
+        one.say(op="mark", markers=[marker])
+        for markers, text in (([{**marker, "side": "left"}], "the side of a marker must be port or starboard"),
+                              ([marker] * 1001, "1001 markers are too many; the most are 1000"),
                               ([{**marker, "name": "x" * 201}], "the name of a marker has 201 bytes; the most are 200")):
             one.say(op="mark", markers=markers)
             self.assertEqual(one.text("error")["text"], text)

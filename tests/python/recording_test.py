@@ -38,9 +38,11 @@ class RecordingTest(unittest.TestCase):
                 recording.add(sim.ping())
             self.assertEqual(insonify.open(path).markers, [])
             with h5py.File(path, "a") as file:
-                file["markers"] = ['{"name": "wreck", "position": [1, 2, -3.5], "time": 4.5, "sonar": "fls", "ping": 9}']
+                file["markers"] = ['{"name": "wreck", "position": [1, 2, -3.5], "time": 4.5, "sonar": "fls", "ping": 9}',
+                                   '{"name": "pipe", "position": [0, 0, 0], "time": 1, "sonar": "fish", "ping": 3, "range": 8.5, "side": "port"}']
             self.assertEqual(insonify.open(path).markers,
-                             [{"name": "wreck", "position": (1.0, 2.0, -3.5), "time": 4.5, "sonar": "fls", "ping": 9}])
+                             [{"name": "wreck", "position": (1.0, 2.0, -3.5), "time": 4.5, "sonar": "fls", "ping": 9},
+                              {"name": "pipe", "position": (0.0, 0.0, 0.0), "time": 1.0, "sonar": "fish", "ping": 3, "range": 8.5, "side": "port"}])
 
     def test_the_scenario_told_is_the_one_that_was_run(self):
         import h5py

@@ -17,7 +17,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 const std::vector<Marker>& marked() {
-  static const std::vector<Marker> markers = {{"wreck \"stern\"", {1, -2.5, 0.1}, 4.5, "bow", 9},
+  static const std::vector<Marker> markers = {{"wreck \"stern\"", {1, -2.5, 0.1}, 4.5, "bow", 9, 8.5, "starboard"},
                                               {"Boje ä", {}, 0, "", 0}};
   return markers;
 }
@@ -30,6 +30,10 @@ void expect_marked(const std::filesystem::path& path) {
   EXPECT_EQ(found[0].time, 4.5);
   EXPECT_EQ(found[0].sonar, "bow");
   EXPECT_EQ(found[0].ping, 9U);
+  EXPECT_EQ(found[0].range, 8.5);
+  EXPECT_EQ(found[0].side, "starboard");
+  EXPECT_EQ(found[1].range, std::nullopt);
+  EXPECT_EQ(found[1].side, "");
   EXPECT_EQ(found[1].name, "Boje ä");
   EXPECT_THAT(StoredTables(path).texts("markers"), ElementsAre(marker_text(marked()[0]), marker_text(marked()[1])));
 }
@@ -68,7 +72,8 @@ TEST(MarkersTest, LeaveARecordingWithoutThemAsItWas) {
 TEST(MarkersTest, ATextThatIsNoneIsRefused) {
   for (const char* text :
        {"", "[]", R"({"name": "a"})", R"({"name":1,"position":[1,2,3],"time":0,"sonar":"","ping":0})",
-        R"({"name":"a","position":[1,2],"time":0,"sonar":"","ping":0})"}) {
+        R"({"name":"a","position":[1,2],"time":0,"sonar":"","ping":0})",
+        R"({"name":"a","position":[1,2,3],"time":0,"sonar":"","ping":0,"range":"far"})"}) {
     EXPECT_EQ(message_of([&] { (void)marker_from_text(text); }),
               "a marker must be a JSON object with name, position, time, sonar and ping")
         << text;
