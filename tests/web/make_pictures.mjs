@@ -14,6 +14,8 @@ const kFerry = path.join(kRoot, "scenes/ferry_calibrated.yaml");
 const kImages = path.join(kRoot, "docs/images");
 const kFrames = 44;
 const kTurn = 330;  // pings of a scanning head: most of a turn
+const kLine = 190;  // pings of a side-scan sonar
+const kSwath = 50;  // pings of a multibeam
 const kPeriod = 0.5;  // between the pings of the flight [s]
 
 const program = path.resolve(process.argv[2] ?? path.join(kRoot, "build/release/insonify"));
@@ -30,6 +32,23 @@ async function keep(view, name) {
   writeFileSync(raw, await view.page.screenshot());
   execFileSync("ffmpeg", ["-y", "-loglevel", "error", "-i", raw, "-vf", "split[a][b];[a]palettegen=max_colors=255[p];[b][p]paletteuse=dither=none", file]);
   console.log(`${file}: ${Math.round(statSync(file).size / 1000)} kB`);
+}
+
+// A side-scan sonar past the container, the ruler over its shadow; a multibeam above it.
+async function makeSurveyPngs() {
+  const scene = path.join(kRoot, "scenes/survey.yaml");
+  const flown = ["--set", "pattern=null", "--set", "trajectory=[{time: 0, position: [-22, -2, 4.5]}, {time: 40, position: [22, -2, 4.5]}]"];
+  let view = await visit(scene, flown, {});
+  for (let i = 0; i < kLine; ++i) await view.next();
+  await view.set({ bottomLine: true });
+  await view.drawn();
+  await keep(view, "side_scan");
+  await view.end();
+  const head = ["--set", "sonars=[{name: head, preset: r2sonic-2024, mode: 400khz, max_range: 20, bin_count: 500, ping_period: 0.4}]"];
+  view = await visit(scene, [...flown, ...head], {});
+  for (let i = 0; i < kSwath; ++i) await view.next();
+  await keep(view, "multibeam");
+  await view.end();
 }
 
 async function makePngs() {
@@ -68,6 +87,8 @@ async function makePngs() {
   for (let i = 0; i < kTurn; ++i) await view.next();
   await keep(view, "round");
   await view.end();
+
+  await makeSurveyPngs();
 
   const along = ["--set", `trajectory=[${flight.join(", ")}]`];
   execFileSync(program, ["run", kFerry, "-o", scratch, "--no-pictures", "--duration", "12", "--set", "ground_truth=full", ...along, "--set", "ping_period=0.2"]);

@@ -5,6 +5,8 @@ import { bearing, niceStep, number, ringSpacing, ticks } from "../format.js";
 import { levelDb } from "../link/decode.js";
 import { binRange, inSector } from "../sonar.js";
 
+const kNarrow = 270;  // A narrower view has no room to say that a beam is the chosen one [CSS pixels].
+
 export class AscanView {
   constructor(store, frames, roundPings) {
     this.store = store;
@@ -29,7 +31,7 @@ export class AscanView {
     if (!sonar || !ping) return;
     const { product } = sonar;
     const azimuth = product.azimuth(sonar, ping, beam);
-    write(byId("ascan-caption"), `${product.beam(beam)}${product.sides ? "" : bearing(azimuth, sonar.vertical)}${cursor ? "" : product.chosen}`);
+    write(byId("ascan-caption"), `${product.beam(beam)}${product.sides ? "" : bearing(azimuth, sonar.vertical)}${cursor || width < kNarrow ? "" : product.chosen}`);
     const low = store.get("low");
     const trace = traceOf(sonar, ping, beam, store);
     // The axis reaches to the loudest bin, also where the picture's colours end below it.

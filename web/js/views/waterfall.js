@@ -5,6 +5,7 @@ import { byId, context2d, fitCanvas, write } from "../dom.js";
 import { drawColourBar, levelBar } from "../draw/colour_bar.js";
 import { bearing, clock, number } from "../format.js";
 import { BottomTracker, kNoBottom, pitchCosine } from "../strip/bottom.js";
+import { spanOf, surfaceOf } from "../strip/heights.js";
 import { StripHistory } from "../strip/history.js";
 import { peakOf, stripKind } from "../strip/kinds.js";
 import { drawStripLines } from "../strip/lines.js";
@@ -341,24 +342,4 @@ function placeAt({ sonar, kind }, row, { beam, bin }) {
   if (kind.heights) return kind.at(sonar, row, (beam + 0.5) / sonar.beams);
   const azimuth = sonar.product.sides ? sonar.beamAzimuths[beam] : row.azimuth;
   return azimuth === null ? null : { beam, bin, range: sonar.min_range + (bin + 0.5) * sonar.binLength, azimuth };
-}
-
-const kFew = 6000;  // heights that a span is taken from
-
-// Heights of the first and the last colour: all but the outer hundredths, rounded outwards [m].
-function spanOf(rows) {
-  const step = Math.max(1, Math.ceil((rows.length * (rows[0]?.values.length ?? 0)) / kFew));
-  const heights = rows.flatMap(({ values }, i) => [...values].filter((value, beam) => (beam + i) % step === 0 && Number.isFinite(value))).sort((a, b) => a - b);
-  if (heights.length === 0) return [-1, 0];
-  const [low, high] = [heights[Math.floor(0.01 * heights.length)], heights[Math.floor(0.99 * (heights.length - 1))]];
-  const least = Math.max(high - low, 0.2);
-  const middle = (low + high) / 2;
-  return [Math.floor(10 * (middle - least / 2)) / 10, Math.ceil(10 * (middle + least / 2)) / 10];
-}
-
-// Height of the sea's surface [m]; null without one.
-function surfaceOf(store) {
-  const keys = store.get("hello")?.keys;
-  const level = keys?.surface?.value ? keys["surface.level"]?.value : undefined;
-  return Number.isFinite(level) ? level : null;
 }
