@@ -6,7 +6,7 @@ import { makeStore } from "../store.js";
 import { PictureView } from "../views/picture.js";
 import { followContrast } from "./display.js";
 
-const kShared = ["map", "grid", "smooth", "theme", "frozen", "overlay", "over", "markers", "ground", "scene"];
+const kShared = ["map", "grid", "smooth", "soundings", "theme", "frozen", "overlay", "over", "markers", "ground", "scene"];
 
 export function setUpBeside(store, frames, notes) {
   const select = byId("beside");

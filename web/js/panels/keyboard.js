@@ -29,6 +29,7 @@ export function setUpKeyboard(flight, commands) {
     if (event.altKey && event.code.startsWith("Arrow") && !isTyping(event) && !byId("help").open) passToView(event);
     if (isTyping(event) || event.ctrlKey || event.metaKey || event.altKey || byId("help").open) return;
     if (event.code.startsWith("Arrow") && event.target.closest?.("[role=tab], input[type=range]")) return;
+    if (/^(Page|Home$|End$)/.test(event.code) && event.target.closest?.(".page, .log, [role=tab], input[type=range]")) return;  // It scrolls that.
     if (isHeld(event.code)) {
       held.add(event.code);
       event.preventDefault();
@@ -36,7 +37,7 @@ export function setUpKeyboard(flight, commands) {
       return;
     }
     if (event.key === "Shift") fly(event);
-    if (event.repeat) return;
+    if (event.repeat && !event.code.startsWith("Page")) return;
     if ([" ", "Enter"].includes(event.key) && event.target.closest?.("button, summary, input")) return;  // It presses that button.
     const command = commands.find(([key]) => key === (event.key.length === 1 ? event.key.toLowerCase() : event.key));
     if (!command) return;
@@ -77,6 +78,6 @@ function fillHelp(commands) {
   const rows = kHeld.map(([, , keys, text]) => row(keys, text));
   rows.push(row(["Shift"], "Three times as fast"));
   for (const [key, text] of commands) rows.push(row([key === " " ? "Space" : key.toUpperCase()], text));
-  rows.push(row(["Alt", "arrow"], "Move the cursor, turn the scene"), row(["wheel"], "Closer, where the mouse is"));
+  rows.push(row(["Alt", "arrow"], "Move the cursor, turn the scene"), row(["wheel"], "Closer, where the mouse is; back in the waterfall"));
   byId("help-keys").replaceChildren(...rows);
 }
