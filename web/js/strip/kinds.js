@@ -4,7 +4,7 @@
 // Across a waterfall a share runs from 0 at its left edge to 1 at the right. A place is { beam, range, azimuth, bin } of a row's ping.
 
 import { number, ringSpacing, ticks } from "../format.js";
-import { degrees, sonarPoint, toWorld } from "../geometry.js";
+import { degrees, radians, sonarPoint, toWorld } from "../geometry.js";
 import { levelDb } from "../link/decode.js";
 import { seenAt, worldPoint } from "../measure.js";
 import { productIn } from "../product.js";
@@ -12,6 +12,8 @@ import { beamAt, binAt, binRange } from "../sonar.js";
 import { bedPoint, groundRange, offsetsOf, passesOf } from "./place.js";
 
 const metresText = (range) => `${number(range, Number.isInteger(range) ? 0 : 1)} m`;
+const kAngles = [5, 10, 15, 20, 30, 45];  // between labels of a swath [degrees]
+const kAngleWidth = 56;                   // room for a label [pixels]
 const within = (value, least, most) => Math.max(least, Math.min(most, value));
 
 // The strongest of each group of bins of a beam, or of all beams where that is -1.
@@ -101,15 +103,12 @@ const kDepths = {
   passes: passesOf,
   step: (sonar, { beam }, beams) => ({ beam: within(beam + beams, 0, sonar.beams - 1) }),
   ticks(sonar, width) {
-    const most = Math.max(3, Math.floor(width / 60));
-    const step = Math.max(1, Math.round(sonar.beams / most));
-    const found = [];
-    for (let beam = Math.floor(step / 2); beam < sonar.beams; beam += step) {
-      const azimuth = sonar.beamAzimuths[beam];
-      const angle = number(Math.abs(degrees(azimuth)));
-      found.push({ share: (beam + 0.5) / sonar.beams, text: angle === "0" ? "0°" : `${angle}° ${azimuth > 0 ? "P" : "S"}` });
-    }
-    return found;
+    const [port, starboard] = [degrees(sonar.ports[0]), degrees(sonar.starboards.at(-1))];
+    const step = kAngles.find((each) => ((port - starboard) / each) * kAngleWidth <= width) ?? 90;
+    return ticks(starboard, port, step).map((angle) => ({
+      share: this.share(sonar, null, { azimuth: radians(angle) }),
+      text: angle === 0 ? "0°" : `${number(Math.abs(angle))}° ${angle > 0 ? "P" : "S"}`,
+    })).filter(({ share }) => Number.isFinite(share));
   },
 };
 
