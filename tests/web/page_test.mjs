@@ -925,7 +925,7 @@ const failed = await runChecks({
       return [plan.toScreen(0, 0), plan.place(3, 0), plan.place(6, Math.PI / 3)];
     });
     assert.ok(below[1] > apex[1] && port[0] < apex[0] && Math.abs(port[1] - below[1]) < 1e-6, `${apex}, ${below}, ${port}`);
-    assert.match(await text("picture-caption"), /soundings: 19 by amplitude \(blue\), 41 by phase \(green\)$/);
+    await until(async () => /soundings: 19 by amplitude \(blue\), 41 by phase \(green\)$/.test(await text("picture-caption")), "a count of the soundings");
     const heights = await page.evaluate(() => [...insonify.waterfall.history.newest.values].map((z) => (Number.isNaN(z) ? null : z)));
     assert.equal(heights[0], null);
     heights.slice(1).forEach((z, i) => assert.ok(Math.abs(z + 3) < 1e-5, `beam ${i + 1}: ${z} m`));

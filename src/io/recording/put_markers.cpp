@@ -44,7 +44,9 @@ void put_markers(const std::filesystem::path& path, const std::vector<Marker>& m
   h5_check(H5Pset_file_locking(access.get(), false, true), path, "write the markers");  // Others may be reading it.
   H5Handle file = h5_own(H5Fopen(path.c_str(), H5F_ACC_RDWR, access.get()), H5Fclose, path, "write the markers");
   H5Writer(file.get(), path)
-      .put("markers", texts, {"", "What an operator has marked, JSON: name, position [m], time [s], sonar, ping; perhaps range [m], side."});
+      .put("markers", texts,
+           {"",
+            "What an operator has marked, JSON: name, position [m], time [s], sonar, ping; perhaps range [m], side."});
   h5_check(H5Fclose(file.release()), path, "write the markers");
 }
 
