@@ -97,9 +97,12 @@ LineSums sums_of(const std::vector<MeanPhase>& means, double zero, double slope,
 }  // namespace
 
 std::optional<BeamEcho> find_echo(const BeamRow& row, const Snippet& gate, float least, bool to_port) {
+  if (gate.begin >= gate.end) {  // What lies beyond the ring may lie beyond the last bin.
+    return {};
+  }
   const auto begin = row.smoothed.begin();
   const auto peak = std::max_element(begin + gate.begin, begin + gate.end);
-  if (gate.begin >= gate.end || !(*peak > 0) || *peak < least) {
+  if (!(*peak > 0) || *peak < least) {
     return {};
   }
   BeamEcho echo;

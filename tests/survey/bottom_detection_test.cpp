@@ -226,6 +226,21 @@ TEST(BottomDetectionTest, IsNotCaughtByTheRing) {
   }
 }
 
+// The ring of an echo in the last bins ends behind them: there is no bin beyond it.
+TEST(BottomDetectionTest, FindsWhatIsAtTheEndOfTheRange) {
+  const SonarConfig sonar = multibeam();
+  const Ping ping = ping_of(
+      sonar, [](double a) { return std::abs(a) < 5 * kDegree    ? 60.45
+                                   : std::abs(a) > 30 * kDegree ? 58.0
+                                                                : 1000.0; },
+      1.2 * kDegree, 1e-4, 12);
+  const std::vector<Sounding> soundings = BottomDetector(sonar).detect(ping);
+  EXPECT_TRUE(soundings[40].found());
+  EXPECT_FALSE(soundings[30].found());  // 16 degrees.
+  ASSERT_TRUE(soundings[21].found());   // 31 degrees.
+  EXPECT_NEAR(soundings[21].range, 58, 0.5);
+}
+
 TEST(BottomDetectionTest, FindsNothingWhereThereIsNothing) {
   const SonarConfig sonar = multibeam();
   const Ping noise = ping_of(
