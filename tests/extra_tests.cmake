@@ -257,6 +257,9 @@ if(INSONIFY_BUILD_APPS)
   add_test(NAME multibeam_files
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/apps/multibeam_files_test.py $<TARGET_FILE:insonify_cli>)
   set_tests_properties(multibeam_files PROPERTIES TIMEOUT 120)
+  add_test(NAME sounding_messages
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/apps/sounding_messages_test.py $<TARGET_FILE:insonify_cli>)
+  set_tests_properties(sounding_messages PROPERTIES TIMEOUT 120)
   # Emulated instruments as a driver meets them.
   foreach(test oculus oculus_clients ping360 ping_streamers sonar3d15)
     add_test(NAME emulate_${test}
@@ -276,7 +279,7 @@ if(INSONIFY_BUILD_APPS)
 endif()
 # The node of ROS 1 with a roscore of its own.
 if(NOT INSONIFY_SANITIZE)
-  foreach(subject recording settings roscore poses ping_service)
+  foreach(subject recording soundings settings roscore poses ping_service)
     add_test(NAME ros1_${subject}
       COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/bridges/ros1/${subject}_test.py $<TARGET_FILE:insonify_cli>)
     set_tests_properties(ros1_${subject} PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600)

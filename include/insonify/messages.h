@@ -23,7 +23,9 @@ struct MessageSource {
   ReceiverConfig receiver;  ///< Receiver of this sonar: Scenario::receiver_of().
   std::string scenario;     ///< Text of the scenario file, as in recordings; "": none.
   std::string name = {};    ///< Name in topics and frames; "": the sonar's, with `_` for characters invalid in ROS.
-  std::vector<std::string> labels = {};  ///< Names of the scene's instances, in order, for kDescription.
+  std::vector<std::string> labels = {};   ///< Names of the scene's instances, in order, for kDescription.
+  std::optional<double> absorption = {};  ///< Of the water at the sonar's frequency, for MCAP files [dB/m]; absent:
+                                          ///< unknown.
 };
 
 /// Sonars whose topics would have the same name get unique ones: the second one has the suffix `_2`, the third `_3`
@@ -111,7 +113,9 @@ enum class MessageKind {
   kLabels,
   kDescription,
   kScan,
-  kRawImage
+  kRawImage,
+  kDetections,
+  kSoundings
 };
 
 /// Messages of one kind on one topic.
@@ -150,20 +154,25 @@ struct MessageLevels {
 /// | kDescription | /NAME/description | std_msgs/msg/String                          |             |
 /// | kScan       | /NAME/scan         | sensor_msgs/msg/LaserScan                    | NAME        |
 /// | kRawImage   | /NAME/raw_sonar_image | marine_acoustic_msgs/msg/RawSonarImage    | NAME_beams  |
+/// | kDetections | /NAME/detections   | marine_acoustic_msgs/msg/SonarDetections     | NAME_swath  |
+/// | kSoundings  | /NAME/soundings    | sensor_msgs/msg/PointCloud2                  | NAME        |
 ///
 /// Points are in the middle of their beams, as a sonar knows them; true points at the elevations of the ground truth.
 /// kRaw exists with MessageOptions::raw only: the values of the sonar image, row i its bin i, column 0 the beam
 /// furthest to port. With MessageOptions::live, kLabels has Ping::instance in that layout; kDescription is a JSON
 /// object with beams, bins, levels and the names of labels; kScan has the first returns of a scanning head's last turn,
-/// or last sweep across its sector. kRawImage is that of a side-scan sonar, with the values of the sonar image. NAME is
-/// MessageSource::name. Frame NAME is that of the housing (x forward, y to port, z up). NAME_beams, of the sonar image,
-/// has z along the middle of the fan, y to port, x down. docs/reference/messages.md has every field.
+/// or last sweep across its sector. kRawImage is that of a side-scan sonar, with the values of the sonar image.
+/// kDetections and kSoundings are those of a multibeam: Ping::soundings by beams, and as points in the housing's frame.
+/// NAME is MessageSource::name. Frame NAME is that of the housing (x forward, y to port, z up). NAME_beams, of the
+/// sonar image, has z along the middle of the fan, y to port, x down; NAME_swath, of a multibeam alone and with
+/// kDetections, x ahead, y to starboard, z along the middle of the swath. docs/reference/messages.md has every field.
 ///
-/// In MessageForm::kGazebo they are gz.msgs.Image (kSonarImage, kFan, kRaw), PointCloudPacked, Pose, Pose_V and
-/// StringMsg, as Protocol Buffers; ignition.msgs have the same bytes.
+/// In MessageForm::kGazebo they are gz.msgs.Image (kSonarImage, kFan, kRaw), PointCloudPacked (kPoints, kTruePoints,
+/// kSoundings), Pose, Pose_V and StringMsg, as Protocol Buffers; ignition.msgs have the same bytes.
 class SonarMessages {
  public:
-  /// @throws Error for options out of limits.
+  /// @throws Error for options out of limits, and for a multibeam without assumed_sound_speed, by which its ranges are
+  ///         times.
   explicit SonarMessages(MessageSource source, MessageOptions options = {}, MessageForm form = MessageForm::kRos2);
   ~SonarMessages();
   SonarMessages(SonarMessages&&) noexcept;

@@ -35,7 +35,8 @@ struct TableSlice {
 };
 
 /// The tables of one sonar's recording, read on demand: those at the root of an HDF5 file; of an MCAP
-/// file intensity, time, world_from_sonar, head_angle of a scanning sonar, and the axes. MCAP has no ground truth.
+/// file intensity, time, world_from_sonar, head_angle of a scanning sonar, soundings of a multibeam, and the axes. MCAP
+/// has no ground truth.
 ///
 /// A recording that is still being written has the pings that all tables had when it was opened.
 class StoredTables {

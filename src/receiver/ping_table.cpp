@@ -28,6 +28,10 @@ void check_ping(const Ping& ping, const SonarConfig& sonar) {
   if (!ping.elevation.empty()) {
     check(ping.elevation.size(), "elevations");
   }
+  if (!ping.soundings.empty() && ping.soundings.size() != static_cast<std::size_t>(sonar.beam_count)) {
+    throw Error(fmt::format("ping {} of {} has {} soundings, must have {}", ping.number, sonar.name,
+                            ping.soundings.size(), sonar.beam_count));
+  }
 }
 
 void check_numbers(const std::vector<std::uint16_t>& numbers, const SonarConfig& sonar) {

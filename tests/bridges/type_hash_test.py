@@ -74,10 +74,13 @@ class TypeHashTest(unittest.TestCase):
             (pathlib.Path(folder) / "a.yaml").write_text(
                 "world: none\npoints: [{position: [6, 1, 0], target_strength_db: -25}]\n"
                 "sonars: [{name: fls, beam_count: 8, bin_count: 20, max_range: 9},\n"
-                "  {name: sss, type: sss, azimuth_aperture_deg: 1, bin_count: 20, max_range: 9}]\npings: 1\n")
+                "  {name: sss, type: sss, azimuth_aperture_deg: 1, bin_count: 20, max_range: 9},\n"
+                "  {name: mbes, type: mbes, beam_count: 8, bin_count: 20, max_range: 9}]\npings: 1\n")
             subprocess.run([INSONIFY, "run", "a.yaml", "-o", ".", "--record", "mcap", "--no-pictures", "--quiet"], cwd=folder,
                            check=True, stderr=subprocess.DEVNULL)
-            definitions = schemas(pathlib.Path(folder) / "fls.mcap") | schemas(pathlib.Path(folder) / "sss.mcap") | READ
+            definitions = READ
+            for name in ("fls", "sss", "mbes"):
+                definitions = definitions | schemas(pathlib.Path(folder) / f"{name}.mcap")
         self.assertEqual(told(), {name: type_hash(name, text) for name, text in definitions.items()})
 
     def test_ros2_prints_the_same(self):

@@ -17,8 +17,9 @@ import { after, before, test } from "node:test";
 
 const [INSONIFY, PYTHON] = process.argv.slice(2);
 
-// A fan and a head that turns; their pings come in turns, some at the same time.
+// A fan, a head that turns, and a multibeam above a floor; their pings come in turns, some of the first two at the same time.
 const SCENARIO = `
+world: floor.obj
 seed: 9
 duration: 1.3
 points: [{position: [8, 1, -1], target_strength_db: -10}, {position: [5, -2, 1], target_strength_db: -14}]
@@ -30,12 +31,16 @@ sonars:
      elevation_aperture_deg: 40, ping_period: 0.05, sampling: {columns_per_beam: 2, rows: 40}}
   - {name: around, type: msis, beam_count: 1, bin_count: 25, max_range: 9, step_deg: 18, azimuth_aperture_deg: 4,
      ping_period: 0.07, sampling: {columns_per_beam: 2, rows: 40}}
+  - {name: swath, type: mbes, beam_count: 12, bin_count: 100, max_range: 12, azimuth_aperture_deg: 90, azimuth_resolution_deg: 6,
+     elevation_aperture_deg: 6, ping_period: 0.1937}
 `;
+const FLOOR = "v -30 -30 -6\nv 30 -30 -6\nv 30 30 -6\nv -30 30 -6\nf 1 2 3 4\n";
 
 // Checksums in Debian's and in marine_acoustic_msgs' packages for ROS 1.
 const CHECKSUMS = {
   "geometry_msgs/PoseStamped": "d3812c3cbc69362b77dc0b19b345f8f5",
   "marine_acoustic_msgs/ProjectedSonarImage": "c72fc8e29ab227a547720a36666022fd",
+  "marine_acoustic_msgs/SonarDetections": "588993519ccaab99fb0df80256b440ff",
   "sensor_msgs/Image": "060021388200f6f0f447d0fcd9c64743",
   "sensor_msgs/PointCloud2": "1158d486dd51d683ce2f1be655c3c181",
   "std_msgs/String": "992ce8a1687cec8c8bd883ec73ca41d1",
@@ -48,9 +53,10 @@ const run = (...words) => execFileSync(INSONIFY, words, { cwd: folder, encoding:
 before(() => {
   folder = fs.mkdtempSync(path.join(os.tmpdir(), "insonify-bag-"));
   fs.writeFileSync(path.join(folder, "s.yaml"), SCENARIO);
+  fs.writeFileSync(path.join(folder, "floor.obj"), FLOOR);
   run("run", "s.yaml", "-o", "out", "--no-pictures", "-q");
   for (const ending of ["bag", "mcap"]) {
-    run("export", "out/bow-1.h5", "out/around.h5", "-o", `all.${ending}`);
+    run("export", "out/bow-1.h5", "out/around.h5", "out/swath.h5", "-o", `all.${ending}`);
   }
 });
 after(() => fs.rmSync(folder, { recursive: true }));
@@ -135,6 +141,21 @@ test("sequence numbers are those of the pings", async () => {
   const numbers = messages.filter((one) => one.topic === "/bow_1/sonar_image").map((one) => one.message.header.seq);
   assert.deepEqual(numbers, [...numbers.keys()]);
   assert.ok(numbers.length > 20);
+});
+
+test("soundings are there, each once as a flag and as a point", async () => {
+  const { messages } = await of_bag();
+  const of_topic = (topic) => messages.filter((one) => one.topic === topic).map((one) => one.message);
+  const detections = of_topic("/swath/detections"), clouds = of_topic("/swath/soundings");
+  assert.equal(detections.length, 7);
+  assert.equal(clouds.length, 7);
+  detections.forEach((one, ping) => {
+    assert.equal(one.flags.length, 12);
+    const good = one.flags.filter(({ flag }) => flag === 0).length;
+    assert.ok(good > 6, `${good} of 12`);
+    assert.equal(clouds[ping].width, good);
+    assert.equal(clouds[ping].data.length, 36 * good);
+  });
 });
 
 test("rosbag of ROS 1 reads it", (context) => {

@@ -187,6 +187,51 @@ test("a scanning head's file turns its beam", async () => {
   checkPoses(found["/around/pose"], found["/tf"], around, "around");
 });
 
+// A floor 8 m below a multibeam whose outer beams reach beyond the range.
+const SWATH = `
+world: deep.obj
+pings: 2
+sonars:
+  - {name: swath, type: mbes, beam_count: 24, bin_count: 200, max_range: 14, azimuth_aperture_deg: 150, azimuth_resolution_deg: 4,
+     elevation_aperture_deg: 4, assumed_sound_speed: 1500, ping_period: 0.25}
+`;
+
+test("a multibeam's file holds its soundings", async () => {
+  fs.writeFileSync(path.join(folder, "deep.obj"), "v -90 -90 -8\nv 90 -90 -8\nv 90 90 -8\nv -90 90 -8\nf 1 2 3 4\n");
+  fs.writeFileSync(path.join(folder, "swath.yaml"), SWATH);
+  run("run", "swath.yaml", "-o", "deep", "--record", "h5,mcap", "--no-pictures", "-q");
+  const h5 = tables("deep/swath.h5");
+  const { found } = await messages("deep/swath.mcap");
+  assert.equal(found["/swath/detections"].length, 2);
+  found["/swath/detections"].forEach((one, ping) => {
+    assert.equal(one.schema, "marine_acoustic_msgs/msg/SonarDetections");
+    assert.equal(one.header.frame_id, "swath_swath");
+    assert.equal(one.ping_info.sound_speed, 1500);
+    const cloud = found["/swath/soundings"][ping];
+    assert.equal(cloud.header.frame_id, "swath");
+    assert.deepEqual(cloud.fields.map((f) => [f.name, f.offset, f.datatype, f.count]),
+      [["x", 0, 7, 1], ["y", 4, 7, 1], ["z", 8, 7, 1], ["intensity", 12, 7, 1], ["uncertainty", 16, 7, 1], ["quality", 20, 7, 1],
+       ["beam", 24, 4, 1], ["detection", 26, 2, 1], ["snippet_begin", 28, 5, 1], ["snippet_end", 32, 5, 1]]);
+    const data = new DataView(cloud.data.buffer, cloud.data.byteOffset);
+    let points = 0;
+    h5.azimuth.forEach((azimuth, beam) => {
+      const reach = h5.sounding_range[ping][beam], bad = h5.sounding_detection[ping][beam] === 0;
+      near(one.rx_angles[beam], -azimuth, 1e-6, "angle");
+      assert.deepEqual([one.flags[beam].flag, one.tx_delays[beam], one.tx_angles[beam]], [bad ? 1 : 0, 0, 0]);
+      near(one.two_way_travel_times[beam], bad ? 0 : 2 * reach / 1500, 1e-8, "time");
+      if (!bad) {
+        const at = 36 * points++;
+        near(data.getFloat32(at, true), reach * Math.cos(azimuth), 1e-5, "x");
+        near(data.getFloat32(at + 4, true), reach * Math.sin(azimuth), 1e-5, "y");
+        assert.equal(data.getUint16(at + 24, true), beam);
+        near(data.getFloat32(at + 12, true), one.intensities[beam], 1e-6, "intensity");
+      }
+    });
+    assert.equal(cloud.width, points);
+    assert.ok(points > 8 && points < 24, `${points} of 24`);
+  });
+});
+
 test("an export holds both sonars in the order of time", async () => {
   const { reader, found } = await messages("all.mcap");
   checkImages(found["/bow_1/sonar_image"], bow, "bow_1", 16);

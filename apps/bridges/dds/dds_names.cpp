@@ -17,13 +17,15 @@ struct TypeHash {
 };
 
 // A test computes them from the definitions of the MCAP recording: tests/bridges/type_hash_test.py.
-constexpr std::array<TypeHash, 10> kHashes{{
+constexpr std::array<TypeHash, 11> kHashes{{
     {"geometry_msgs::msg::dds_::PoseStamped_",
      "RIHS01_10f3786d7d40fd2b54367835614bff85d4ad3b5dab62bf8bca0cc232d73b4cd8"},
     {"marine_acoustic_msgs::msg::dds_::ProjectedSonarImage_",
      "RIHS01_e9d0b934ee8332c9f79e04c361de0793c165b2dee14f2c0d25c3227cd50d46f1"},
     {"marine_acoustic_msgs::msg::dds_::RawSonarImage_",
      "RIHS01_668954b8ea9854ec5c25c3ebdbdd9d53452169c7e1e365cad5baf0dc56ac9607"},
+    {"marine_acoustic_msgs::msg::dds_::SonarDetections_",
+     "RIHS01_2be9466b1dff9d71d6c8e21379e805805a5d315d899023961f183bc32182e60d"},
     {"nav_msgs::msg::dds_::Odometry_", "RIHS01_3cc97dc7fb7502f8714462c526d369e35b603cfc34d946e3f2eda2766dfec6e0"},
     {"rosgraph_msgs::msg::dds_::Clock_", "RIHS01_692f7a66e93a3c83e71765d033b60349ba68023a8c689a79e48078bcb5c58564"},
     {"sensor_msgs::msg::dds_::Image_", "RIHS01_d31d41a9a4c4bc8eae9be757b0beed306564f7526c88ea6a4588fb9582527d47"},

@@ -37,6 +37,10 @@ const char* name_of(MessageKind kind) {
       return "scan";
     case MessageKind::kRawImage:
       return "raw_image";
+    case MessageKind::kDetections:
+      return "detections";
+    case MessageKind::kSoundings:
+      return "soundings";
   }
   return "";
 }

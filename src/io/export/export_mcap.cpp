@@ -47,7 +47,13 @@ EchoModel model_of(const RecordedTables& recording) {
 
 MessageSource message_source(const RecordedTables& recording) {
   const RecordedPings pings = pings_of(recording);
-  return {pings.sonar_config(), model_of(recording), pings.receiver_config(), recording.text("scenario"), {}};
+  MessageSource source{
+      pings.sonar_config(), model_of(recording), pings.receiver_config(), recording.text("scenario"), {}};
+  if (const auto stored = recording.attributes().find("absorption_db_per_m");
+      stored != recording.attributes().end() && stored->is_number()) {
+    source.absorption = stored->get<double>();
+  }
+  return source;
 }
 
 std::vector<MessageSource> message_sources(RecordedSonars recordings) {

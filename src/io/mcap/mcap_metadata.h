@@ -24,11 +24,12 @@ inline constexpr const char* kStart = "start";  ///< Time 0 of the pings, in the
 inline constexpr const char* kInstances = "instance_names";  ///< Names of the scene's instances, a JSON list ...
 inline constexpr const char* kMaterials = "material_names";  ///< ... and of its materials.
 
-inline constexpr const char* kSonar = "sonar";        ///< Its name as it is, not as topics have it.
-inline constexpr const char* kSettings = "settings";  ///< A scenario file with only this sonar.
-inline constexpr const char* kScale = "scale";        ///< Scale of the values of sonar images: db or linear.
-inline constexpr const char* kLowDb = "low_db";       ///< Level of the value 0.
-inline constexpr const char* kHighDb = "high_db";     ///< Level of the greatest value.
+inline constexpr const char* kSonar = "sonar";                     ///< Its name as it is, not as topics have it.
+inline constexpr const char* kSettings = "settings";               ///< A scenario file with only this sonar.
+inline constexpr const char* kAbsorption = "absorption_db_per_m";  ///< Of the water at the sonar's frequency.
+inline constexpr const char* kScale = "scale";     ///< Scale of the values of sonar images: db or linear.
+inline constexpr const char* kLowDb = "low_db";    ///< Level of the value 0.
+inline constexpr const char* kHighDb = "high_db";  ///< Level of the greatest value.
 inline constexpr const char* kGainPerDecade = "gain_per_decade";  ///< Gain over range in these levels.
 
 }  // namespace insonify::mcap_metadata

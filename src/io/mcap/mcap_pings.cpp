@@ -18,6 +18,7 @@
 #include "insonify/words.h"
 #include "io/mcap/mcap_metadata.h"
 #include "io/message/cdr_reader.h"
+#include "io/message/clouds.h"
 #include "io/message/message_display.h"
 
 namespace insonify {
@@ -107,12 +108,16 @@ struct Values {
   std::span<const std::byte> data;
 };
 
-Values values_of(std::span<const std::byte> message) {
-  CdrReader in(message);
-  Values values;
+void skip_header(CdrReader& in) {
   (void)in.get<std::int32_t>();
   (void)in.get<std::uint32_t>();
   (void)in.text();
+}
+
+Values values_of(std::span<const std::byte> message) {
+  CdrReader in(message);
+  Values values;
+  skip_header(in);
   (void)in.get<float>();
   (void)in.get<float>();
   (void)in.sequence<float>();
@@ -140,14 +145,39 @@ Values values_of(std::span<const std::byte> message) {
 
 Pose pose_of(std::span<const std::byte> message) {
   CdrReader in(message);
-  (void)in.get<std::int32_t>();
-  (void)in.get<std::uint32_t>();
-  (void)in.text();
+  skip_header(in);
   std::array<double, 7> values{};
   for (double& value : values) {
     value = in.get<double>();
   }
   return {Vec3(values[0], values[1], values[2]), Eigen::Quaterniond(values[6], values[3], values[4], values[5])};
+}
+
+// The points of soundings of a cloud.
+std::vector<SoundingPoint> points_of(std::span<const std::byte> message) {
+  const Cloud expected = cloud_of(std::span<const SoundingPoint>());
+  CdrReader in(message);
+  skip_header(in);
+  (void)in.get<std::uint32_t>();
+  const auto count = in.get<std::uint32_t>();
+  bool known = in.get<std::uint32_t>() == expected.fields.size();
+  for (std::size_t i = 0; known && i < expected.fields.size(); ++i) {
+    const CloudField& field = expected.fields[i];
+    known = in.text() == field.name && in.get<std::uint32_t>() == field.offset &&
+            in.get<std::uint8_t>() == static_cast<std::uint8_t>(field.type) && in.get<std::uint32_t>() == 1;
+  }
+  known = known && in.get<std::uint8_t>() == 0 && in.get<std::uint32_t>() == expected.step;
+  if (!known) {
+    throw Error("its soundings have other fields than insonify writes");
+  }
+  (void)in.get<std::uint32_t>();
+  const std::span<const std::byte> data = in.sequence<std::uint8_t>();
+  if (data.size() != count * expected.step) {
+    throw Error(fmt::format("its soundings have {} bytes, must have {}", data.size(), count * expected.step));
+  }
+  std::vector<SoundingPoint> points(count);
+  std::ranges::copy(data, std::as_writable_bytes(std::span(points)).begin());
+  return points;
 }
 
 }  // namespace
@@ -181,11 +211,20 @@ McapPings::McapPings(const std::filesystem::path& path, const std::string& sonar
   levels_ = levels_of(texts, path);
   source_ = source_of(texts, path);
   source_.name = name;
+  source_.absorption.reset();
+  if (texts.contains(mcap_metadata::kAbsorption)) {
+    source_.absorption = number_of(texts, mcap_metadata::kAbsorption, path);
+  }
   model_ = word_of(source_.model);
   start_ns_ = mcap_start_ns(file_, path).value_or(0);
   images_ = &file_.messages("/" + name + "/sonar_image");
   poses_ = &file_.messages("/" + name + "/pose");
   count_ = std::min(images_->size(), poses_->size());
+  const std::string soundings = "/" + name + "/soundings";
+  if (source_.sonar.is_multibeam() && file_.topics().contains(soundings)) {
+    soundings_ = &file_.messages(soundings);
+    count_ = std::min(count_, static_cast<std::uint64_t>(soundings_->size()));
+  }
   for (int bin = 0; bin < bin_count(); ++bin) {
     factors_.push_back(intensity_of_share({.low_db = 0, .high_db = 0, .gain_per_decade = levels_.gain_per_decade}, 1,
                                           source_.sonar.bin_range(bin)));
@@ -224,6 +263,23 @@ Pose McapPings::world_from_sonar(std::uint64_t ping) const {
   } catch (const Error& error) {
     fail(ping, error.what());
   }
+}
+
+std::vector<Sounding> McapPings::soundings(std::uint64_t ping) const {
+  assert(ping < count_);
+  std::vector<Sounding> soundings;
+  if (soundings_ == nullptr) {
+    return soundings;
+  }
+  for (int beam = 0; beam < beam_count(); ++beam) {
+    soundings.push_back({.azimuth = static_cast<float>(source_.sonar.beam_azimuth(beam))});
+  }
+  try {
+    set_soundings(points_of(file_.read((*soundings_)[ping])), soundings);
+  } catch (const Error& error) {
+    fail(ping, error.what());
+  }
+  return soundings;
 }
 
 // Intensities at 1 m, by value.
@@ -265,6 +321,7 @@ Ping McapPings::ping(std::uint64_t number) const {
     const double angle = values.azimuth - sonar.beam_azimuth(0);
     ping.head_angle = angle + kTurn * std::round((sonar.head_angle(number) - angle) / kTurn);
   }
+  ping.soundings = soundings(number);
   const std::vector<double>& table = intensities_of(values.bits);
   ping.intensity.resize(cells);
   for (std::size_t cell = 0; cell < cells; ++cell) {

@@ -12,7 +12,8 @@ namespace insonify {
 
 /// Pings of an MCAP recording made by insonify, also of an unfinished one. Intensities are decoded from the sonar
 /// images: exact within half a step of the mapping (0.0005 dB with 16 bits), 0 at and below its lowest level, clipped
-/// at the highest. There is no ground truth.
+/// at the highest. Soundings of a multibeam are exact to the rounding of single-precision numbers. There is no ground
+/// truth.
 class McapPings {
  public:
   /// @param sonar  Its name; "" for the only one.
@@ -39,6 +40,11 @@ class McapPings {
   [[nodiscard]] double time(std::uint64_t ping) const;
   [[nodiscard]] Pose world_from_sonar(std::uint64_t ping) const;
 
+  /// Whether the file has soundings: those of multibeams, but not of versions before they were in messages.
+  [[nodiscard]] bool has_soundings() const { return soundings_ != nullptr; }
+  /// One per beam; empty without soundings.
+  [[nodiscard]] std::vector<Sounding> soundings(std::uint64_t ping) const;
+
  private:
   [[nodiscard]] std::vector<std::byte> image(std::uint64_t ping) const;
   [[nodiscard]] const std::vector<double>& intensities_of(int bits) const;
@@ -50,7 +56,7 @@ class McapPings {
   std::string model_;
   std::uint64_t start_ns_ = 0;  // Time 0 of the pings, since 1970.
   MessageLevels levels_;
-  const std::vector<McapReader::Entry>*images_ = nullptr, *poses_ = nullptr;
+  const std::vector<McapReader::Entry>*images_ = nullptr, *poses_ = nullptr, *soundings_ = nullptr;
   std::uint64_t count_ = 0;
   std::vector<double> factors_;                      // Inverse of the gain, per bin.
   mutable std::vector<double> of_bytes_, of_words_;  // Intensities by value, with the gain; made on demand.

@@ -56,12 +56,16 @@ std::string settings_of(const MessageSource& source) {
 std::map<std::string, std::string> texts_about(const MessageSource& source, const SonarMessages& messages) {
   const MessageLevels levels = messages.levels();
   const auto text = [](double value) { return fmt::format("{}", value); };
-  return {{mcap_metadata::kSonar, source.sonar.name},
-          {mcap_metadata::kSettings, settings_of(source)},
-          {mcap_metadata::kScale, levels.decibels ? "db" : "linear"},
-          {mcap_metadata::kLowDb, text(levels.low_db)},
-          {mcap_metadata::kHighDb, text(levels.high_db)},
-          {mcap_metadata::kGainPerDecade, text(levels.gain_per_decade)}};
+  std::map<std::string, std::string> texts = {{mcap_metadata::kSonar, source.sonar.name},
+                                              {mcap_metadata::kSettings, settings_of(source)},
+                                              {mcap_metadata::kScale, levels.decibels ? "db" : "linear"},
+                                              {mcap_metadata::kLowDb, text(levels.low_db)},
+                                              {mcap_metadata::kHighDb, text(levels.high_db)},
+                                              {mcap_metadata::kGainPerDecade, text(levels.gain_per_decade)}};
+  if (source.absorption) {
+    texts[mcap_metadata::kAbsorption] = text(*source.absorption);
+  }
+  return texts;
 }
 
 }  // namespace
@@ -176,12 +180,14 @@ std::uint64_t mcap_bytes(const SonarConfig& sonar, std::uint64_t pings, const Me
   constexpr std::uint64_t kAround = 2'000;   // Fields other than the tables, indexes.
   constexpr std::uint64_t kAspect = 2;       // Width of a fan over its height, at most.
   constexpr std::uint64_t kPoint = 16;
+  constexpr std::uint64_t kSounding = 36 + 29;  // A point, and the values of a detection.
   const auto cells = static_cast<std::uint64_t>(sonar.bin_count) * static_cast<std::uint64_t>(sonar.beam_count);
   const auto height = static_cast<std::uint64_t>(options.fan_height);
-  const std::uint64_t ping = cells * static_cast<std::uint64_t>(options.bits) / 8 +
-                             static_cast<std::uint64_t>(options.strong_share * static_cast<double>(cells * kPoint)) +
-                             static_cast<std::uint64_t>(sonar.beam_count) * 32 +
-                             static_cast<std::uint64_t>(sonar.bin_count) * 4 + kAround;
+  const std::uint64_t ping =
+      cells * static_cast<std::uint64_t>(options.bits) / 8 +
+      static_cast<std::uint64_t>(options.strong_share * static_cast<double>(cells * kPoint)) +
+      static_cast<std::uint64_t>(sonar.beam_count) * (sonar.is_multibeam() ? 32 + kSounding : 32) +
+      static_cast<std::uint64_t>(sonar.bin_count) * 4 + kAround;
   return kFixed + pings * ping + fan_pictures(sonar, pings, options) * 3 * kAspect * height * height;
 }
 

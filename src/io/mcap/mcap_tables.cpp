@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 
 #include "io/mcap/mcap_metadata.h"
@@ -82,6 +83,9 @@ McapTables::McapTables(const std::filesystem::path& path, const std::string& son
   attributes_["sonar_model"] = config.model;
   attributes_["frequency"] = config.frequency;
   attributes_["source_level_db"] = config.source_level_db;
+  if (const std::optional<double> absorption = pings_.source().absorption) {
+    attributes_["absorption_db_per_m"] = *absorption;
+  }
   attributes_["levels"] = levels_text(pings_.levels(), pings_.bits());
   add_tables();
   add_names();
@@ -107,6 +111,10 @@ void McapTables::add_names() {
   add(metadata.at(mcap_metadata::kRun), mcap_metadata::kMaterials);
 }
 
+std::span<const SoundingColumn> McapTables::columns() const {
+  return pings_.has_soundings() ? sounding_columns() : std::span<const SoundingColumn>();
+}
+
 // In alphabetical order, as in HDF5.
 void McapTables::add_tables() {
   const SonarConfig& config = pings_.source().sonar;
@@ -116,7 +124,7 @@ void McapTables::add_tables() {
     const bool by_ping = !axes.empty();
     tables_.push_back({name,
                        type,
-                       std::string(type) == "<f4" ? sizeof(float) : sizeof(double),
+                       static_cast<std::size_t>(type[2] - '0'),
                        std::move(row),
                        by_ping,
                        std::move(axes),
@@ -132,6 +140,10 @@ void McapTables::add_tables() {
   add("intensity", "<f4", {bins, beams}, {"ping", "bin", "beam"}, "1",
       "Echo intensity, from levels of " + levels_text(pings_.levels(), pings_.bits()) + ".");
   add("range", "<f8", {bins}, {}, "m", "Centre of each bin.");
+  for (const SoundingColumn& column : columns()) {
+    add(column.name, column.type(), {beams}, {"ping", "beam"}, column.units, column.description);
+  }
+  std::ranges::sort(tables_, {}, &RecordedTable::name);
   add("time", "<f8", {}, {"ping"}, "s", "Time of transmission.");
   add("world_from_sonar", "<f8", {7}, {"ping", "pose"}, "m m m 1 1 1 1",
       "Pose of the housing: x y z, then the quaternion qw qx qy qz; sonar to world.");
@@ -158,6 +170,11 @@ std::vector<std::byte> McapTables::row(const RecordedTable& table, std::uint64_t
   if (table.name == "azimuth_edges") {
     return bytes_of(config.bearings().edges());
   }
+  if (const auto column = std::ranges::find(columns(), table.name, &SoundingColumn::name); column != columns().end()) {
+    std::vector<std::byte> values;
+    column->store(pings_.soundings(ping), values);
+    return values;
+  }
   std::vector<double> centres;
   for (std::uint64_t i = 0; i < table.row.front(); ++i) {
     const int at = static_cast<int>(i);
@@ -166,9 +183,17 @@ std::vector<std::byte> McapTables::row(const RecordedTable& table, std::uint64_t
   return bytes_of(centres);
 }
 
-void McapTables::read(const RecordedTable& table, NumberType /*type: that of the table*/,
-                      std::span<const TableSlice> slices, std::span<std::byte> bytes) const {
-  read_by_rows(table, slices, bytes);
+// The type is that of the table, but for whole numbers of 32 bits, which NumberType does not have.
+void McapTables::read(const RecordedTable& table, NumberType type, std::span<const TableSlice> slices,
+                      std::span<std::byte> bytes) const {
+  if (type != NumberType::kInt64 || table.value_bytes != sizeof(std::int32_t)) {
+    read_by_rows(table, slices, bytes);
+    return;
+  }
+  std::vector<std::int32_t> narrow(bytes.size() / sizeof(std::int64_t));
+  read_by_rows(table, slices, std::as_writable_bytes(std::span(narrow)));
+  const std::vector<std::int64_t> wide(narrow.begin(), narrow.end());
+  std::ranges::copy(std::as_bytes(std::span(wide)), bytes.begin());
 }
 
 }  // namespace insonify

@@ -3,11 +3,13 @@
 #pragma once
 
 #include "io/file/recorded_tables.h"
+#include "io/file/sounding_columns.h"
 #include "io/mcap/mcap_pings.h"
 
 namespace insonify {
 
-/// Tables `intensity`, `time`, `world_from_sonar`, `head_angle` of a scanning sonar, and the axes; the names of the
+/// Tables `intensity`, `time`, `world_from_sonar`, `head_angle` of a scanning sonar, those of the soundings of a
+/// multibeam, and the axes; the names of the
 /// scene's instances and materials if the file has them, but no ground truth, which is not in messages. Attributes and
 /// settings come from the file's metadata.
 class McapTables : public RecordedTables {
@@ -26,6 +28,7 @@ class McapTables : public RecordedTables {
  private:
   void add_tables();
   void add_names();
+  [[nodiscard]] std::span<const SoundingColumn> columns() const;
 
   McapPings pings_;
 };

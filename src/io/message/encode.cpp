@@ -155,25 +155,21 @@ std::vector<std::byte> encode_grey_image(MessageForm form, const MessageHeader& 
   return encode_pixels(form, header, format_of(std::uint16_t{}), width, 2 * width, std::as_bytes(values));
 }
 
-std::vector<std::byte> encode_cloud(MessageForm form, const MessageHeader& header, std::span<const CloudPoint> points) {
+std::vector<std::byte> encode_cloud(MessageForm form, const MessageHeader& header, const Cloud& cloud) {
   if (form == MessageForm::kGazebo) {
-    return gazebo::encode_cloud(header, points);
+    return gazebo::encode_cloud(header, cloud);
   }
-  constexpr std::uint8_t kFloat32 = 7;
-  constexpr std::string_view kFields[] = {"x", "y", "z", "intensity"};
-  RosWriter out(form, points.size_bytes() + kAroundData);
+  RosWriter out(form, cloud.points.size() + kAroundData);
   put(out, header);
   out.put(std::uint32_t{1});  // height: the points have no order.
-  out.put(static_cast<std::uint32_t>(points.size()));
-  out.put_length(std::size(kFields));
-  std::uint32_t offset = 0;
-  for (const std::string_view field : kFields) {
-    out.put(field, offset, kFloat32, std::uint32_t{1});
-    offset += sizeof(float);
+  out.put(static_cast<std::uint32_t>(cloud.count()));
+  out.put_length(cloud.fields.size());
+  for (const CloudField& field : cloud.fields) {
+    out.put(field.name, field.offset, static_cast<std::uint8_t>(field.type), std::uint32_t{1});
   }
   out.put(false);  // is_bigendian
-  out.put(static_cast<std::uint32_t>(sizeof(CloudPoint)), static_cast<std::uint32_t>(points.size_bytes()),
-          octets(std::as_bytes(points)));
+  out.put(static_cast<std::uint32_t>(cloud.step), static_cast<std::uint32_t>(cloud.points.size()),
+          octets(cloud.points));
   out.put(true);  // is_dense: no point is NaN.
   return out.take();
 }
@@ -210,6 +206,18 @@ std::vector<std::byte> encode_raw_sonar_image(MessageForm form, const MessageHea
                                               const SonarImageFacts& facts, const RawImageFacts& raw,
                                               std::span<const std::uint16_t> values) {
   return encode_samples(form, header, facts, raw, values);
+}
+
+std::vector<std::byte> encode_detections(MessageForm form, const MessageHeader& header, const SonarImageFacts& facts,
+                                         const DetectionFacts& detections) {
+  const std::vector<float> none(detections.flags.size());  // No beam is sent late, or steered along the track.
+  RosWriter out(form, none.size() * (sizeof(float) * 7 + 1) + kAroundData);
+  put(out, header);
+  out.put(facts.frequency, facts.sound_speed, std::span(facts.transmit_widths), std::span(facts.receive_widths));
+  out.put(std::span(detections.flags));  // Messages of one byte lie as bytes do.
+  out.put(std::span(detections.travel_times), std::span(none), std::span(detections.intensities), std::span(none),
+          std::span(detections.receive_angles));
+  return out.take();
 }
 
 }  // namespace insonify

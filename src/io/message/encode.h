@@ -12,6 +12,7 @@
 #include "insonify/geometry.h"
 #include "insonify/messages.h"
 #include "insonify/picture.h"
+#include "io/message/clouds.h"
 
 namespace insonify {
 
@@ -45,10 +46,12 @@ struct RawImageFacts {
   std::vector<float> receive_angles;  ///< [beam] Angle across the track, from straight down to starboard [rad].
 };
 
-/// A point of a cloud, in the message's layout.
-struct CloudPoint {
-  float x = 0, y = 0, z = 0;  ///< [m]
-  float intensity = 0;        ///< [dB]
+/// marine_acoustic_msgs/SonarDetections beyond its ping info: a value for each beam.
+struct DetectionFacts {
+  std::vector<std::uint8_t> flags;    ///< 0 (DETECT_OK) or 1 (DETECT_BAD_SONAR).
+  std::vector<float> travel_times;    ///< There and back [s].
+  std::vector<float> intensities;     ///< [dB]
+  std::vector<float> receive_angles;  ///< Across the track, from straight down to starboard [rad].
 };
 
 /// sensor_msgs/LaserScan.
@@ -71,8 +74,7 @@ struct LineScan {
                                                        std::span<const std::uint8_t> values);
 [[nodiscard]] std::vector<std::byte> encode_grey_image(MessageForm form, const MessageHeader& header, std::size_t width,
                                                        std::span<const std::uint16_t> values);
-[[nodiscard]] std::vector<std::byte> encode_cloud(MessageForm form, const MessageHeader& header,
-                                                  std::span<const CloudPoint> points);
+[[nodiscard]] std::vector<std::byte> encode_cloud(MessageForm form, const MessageHeader& header, const Cloud& cloud);
 
 /// @param form  That of ROS 1 or 2.
 [[nodiscard]] std::vector<std::byte> encode_scan(MessageForm form, const MessageHeader& header, const LineScan& scan);
@@ -93,5 +95,10 @@ struct LineScan {
 [[nodiscard]] std::vector<std::byte> encode_raw_sonar_image(MessageForm form, const MessageHeader& header,
                                                             const SonarImageFacts& facts, const RawImageFacts& raw,
                                                             std::span<const std::uint16_t> values);
+
+/// The soundings of a multibeam, for ROS 1 or 2.
+/// @param facts  Those of its sonar image: frequency, sound speed and widths of beams.
+[[nodiscard]] std::vector<std::byte> encode_detections(MessageForm form, const MessageHeader& header,
+                                                       const SonarImageFacts& facts, const DetectionFacts& detections);
 
 }  // namespace insonify

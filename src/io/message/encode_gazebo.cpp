@@ -114,26 +114,22 @@ std::vector<std::byte> encode_pixels(const MessageHeader& header, PixelFormat fo
   return encode_image(header, {}, format, width, step, bytes, 0);
 }
 
-std::vector<std::byte> encode_cloud(const MessageHeader& header, std::span<const CloudPoint> points) {
-  constexpr std::uint64_t kFloat32 = 6;
-  constexpr std::string_view kFields[] = {"x", "y", "z", "intensity"};
-  ProtobufWriter out(points.size_bytes() + kAroundData);
+std::vector<std::byte> encode_cloud(const MessageHeader& header, const Cloud& cloud) {
+  ProtobufWriter out(cloud.points.size() + kAroundData);
   put(out, header);
-  std::uint64_t offset = 0;
-  for (const std::string_view name : kFields) {
+  for (const CloudField& each : cloud.fields) {
     out.put_message(2, [&](ProtobufWriter& field) {
-      field.put(1, name);
-      field.put(2, offset);
-      field.put(3, kFloat32);
+      field.put(1, each.name);
+      field.put(2, std::uint64_t{each.offset});
+      field.put(3, static_cast<std::uint64_t>(each.type) - 1);  // Gazebo's types begin at 0.
       field.put(4, std::uint64_t{1});
     });
-    offset += sizeof(float);
   }
   out.put(3, std::uint64_t{1});  // height: the points have no order.
-  out.put(4, std::uint64_t{points.size()});
-  out.put(6, std::uint64_t{sizeof(CloudPoint)});
-  out.put(7, std::uint64_t{points.size_bytes()});
-  out.put(8, std::as_bytes(points));
+  out.put(4, std::uint64_t{cloud.count()});
+  out.put(6, std::uint64_t{cloud.step});
+  out.put(7, std::uint64_t{cloud.points.size()});
+  out.put(8, cloud.points);
   out.put(9, std::uint64_t{1});  // is_dense: no point is NaN.
   return out.take();
 }

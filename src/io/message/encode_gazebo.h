@@ -27,7 +27,7 @@ enum class PixelFormat { kGrey8 = 1, kGrey16 = 2, kRgb8 = 3 };
 [[nodiscard]] std::vector<std::byte> encode_pixels(const MessageHeader& header, PixelFormat format, std::size_t width,
                                                    std::size_t step, std::span<const std::byte> bytes);
 /// PointCloudPacked.
-[[nodiscard]] std::vector<std::byte> encode_cloud(const MessageHeader& header, std::span<const CloudPoint> points);
+[[nodiscard]] std::vector<std::byte> encode_cloud(const MessageHeader& header, const Cloud& cloud);
 /// Image with a row for each bin and a column for each beam; all other facts are in its header as texts:
 /// frequency, sound_speed, azimuths, ranges, transmit_widths, receive_widths.
 [[nodiscard]] std::vector<std::byte> encode_sonar_image(const MessageHeader& header, const SonarImageFacts& facts,

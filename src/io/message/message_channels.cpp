@@ -126,6 +126,21 @@ constexpr std::pair<std::string_view, std::string_view> kTypes[] = {
      "float32[] tx_angles\n"
      "float32[] rx_angles\n"
      "marine_acoustic_msgs/SonarImageData image\n"},
+    {"marine_acoustic_msgs/DetectionFlag",
+     "uint8 DETECT_OK=0\n"
+     "uint8 DETECT_BAD_SONAR=1\n"
+     "uint8 DETECT_BAD_FILTER=2\n"
+     "uint8 DETECT_BAD_USER=4\n"
+     "uint8 flag\n"},
+    {"marine_acoustic_msgs/SonarDetections",
+     "std_msgs/Header header\n"
+     "marine_acoustic_msgs/PingInfo ping_info\n"
+     "marine_acoustic_msgs/DetectionFlag[] flags\n"
+     "float32[] two_way_travel_times\n"
+     "float32[] tx_delays\n"
+     "float32[] intensities\n"
+     "float32[] tx_angles\n"
+     "float32[] rx_angles\n"},
 };
 
 // Where ROS 1 differs.
@@ -139,6 +154,7 @@ constexpr std::pair<std::string_view, std::string_view> kRos1Checksums[] = {
     {"geometry_msgs/PoseStamped", "d3812c3cbc69362b77dc0b19b345f8f5"},
     {"marine_acoustic_msgs/ProjectedSonarImage", "c72fc8e29ab227a547720a36666022fd"},
     {"marine_acoustic_msgs/RawSonarImage", "84d7210aa67320a9262e0908f3e466c5"},
+    {"marine_acoustic_msgs/SonarDetections", "588993519ccaab99fb0df80256b440ff"},
     {"sensor_msgs/Image", "060021388200f6f0f447d0fcd9c64743"},
     {"sensor_msgs/LaserScan", "90c7ef2dc6895d81024acba2ac42f369"},
     {"sensor_msgs/PointCloud2", "1158d486dd51d683ce2f1be655c3c181"},
@@ -181,6 +197,7 @@ std::string_view gazebo_type(MessageKind kind) {
   switch (kind) {
     case MessageKind::kPoints:
     case MessageKind::kTruePoints:
+    case MessageKind::kSoundings:
       return "gz.msgs.PointCloudPacked";
     case MessageKind::kPose:
       return "gz.msgs.Pose";
@@ -195,6 +212,7 @@ std::string_view gazebo_type(MessageKind kind) {
     case MessageKind::kDescription:
     case MessageKind::kScan:
     case MessageKind::kRawImage:
+    case MessageKind::kDetections:
       break;
   }
   return "gz.msgs.Image";
@@ -258,6 +276,13 @@ std::vector<MessageChannel> message_channels(const std::string& name, MessageFor
   if (sonar.is_side_scan() && form != MessageForm::kGazebo) {
     channels.push_back(
         channel(MessageKind::kRawImage, at + "/raw_sonar_image", "marine_acoustic_msgs", "RawSonarImage"));
+  }
+  if (sonar.is_multibeam() && form != MessageForm::kGazebo) {
+    channels.push_back(
+        channel(MessageKind::kDetections, at + "/detections", "marine_acoustic_msgs", "SonarDetections"));
+  }
+  if (sonar.is_multibeam()) {
+    channels.push_back(channel(MessageKind::kSoundings, at + "/soundings", "sensor_msgs", "PointCloud2"));
   }
   for (MessageChannel& each : channels) {
     each.latched =

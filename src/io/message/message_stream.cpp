@@ -23,6 +23,7 @@ MessageSource message_source(const Scenario& scenario, const SonarConfig& sonar)
   if (!source.sonar.assumed_sound_speed) {
     source.sonar.assumed_sound_speed = scenario.water_at(sonar).true_sound_speed();
   }
+  source.absorption = scenario.water_at(sonar).absorption_db_per_m_at(sonar.frequency);
   std::vector<std::string> names;
   for (const SonarConfig& other : scenario.sonars) {
     names.push_back(other.name);

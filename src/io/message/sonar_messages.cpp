@@ -40,6 +40,16 @@ Pose housing_from_beams(const SonarConfig& sonar) {
   return {Vec3::Zero(), Eigen::Quaterniond(axes)};
 }
 
+// The frame of a multibeam's angles in that of the housing, whose x points down and whose z points ahead: x ahead, y to
+// starboard, z down. An angle of the message is atan2(y, z) there.
+Pose housing_from_swath() {
+  Eigen::Matrix3d axes;
+  axes.col(0) = Vec3::UnitZ();
+  axes.col(1) = -Vec3::UnitY();
+  axes.col(2) = Vec3::UnitX();
+  return {Vec3::Zero(), Eigen::Quaterniond(axes)};
+}
+
 SonarImageFacts image_facts(const SonarConfig& sonar, double sound_speed) {
   SonarImageFacts facts;
   facts.frequency = static_cast<float>(sonar.frequency);
@@ -54,6 +64,16 @@ SonarImageFacts image_facts(const SonarConfig& sonar, double sound_speed) {
   }
   facts.directions.resize(static_cast<std::size_t>(sonar.beam_count));
   return facts;
+}
+
+// Soundings of a ping that has none are those of beams that found no bottom.
+std::vector<Sounding> beam_soundings(const Ping& ping, const SonarConfig& sonar) {
+  std::vector<Sounding> soundings = ping.soundings;
+  soundings.resize(static_cast<std::size_t>(sonar.beam_count));
+  for (int beam = 0; beam < sonar.beam_count; ++beam) {
+    soundings[static_cast<std::size_t>(beam)].azimuth = static_cast<float>(sonar.beam_azimuth(beam));
+  }
+  return soundings;
 }
 
 template <typename Value>
@@ -108,6 +128,7 @@ struct SonarMessages::State {
   [[nodiscard]] std::vector<FramePose> transforms() const;
   [[nodiscard]] std::vector<std::byte> labels() const;
   [[nodiscard]] std::vector<std::byte> scan() const;
+  [[nodiscard]] std::vector<std::byte> detections() const;
 };
 
 std::vector<std::byte> SonarMessages::State::sonar_image() const {
@@ -174,16 +195,21 @@ Picture SonarMessages::State::fan() const {
 }
 
 std::vector<std::byte> SonarMessages::State::points(bool true_elevations) const {
-  return encode_cloud(form, header(name),
-                      strong_points(ping, raised.intensity, source.sonar, options.strong_share, true_elevations));
+  return encode_cloud(
+      form, header(name),
+      cloud_of(strong_points(ping, raised.intensity, source.sonar, options.strong_share, true_elevations)));
 }
 
 std::vector<FramePose> SonarMessages::State::transforms() const {
   const FramePose beams{header(name), name + "_beams", housing_from_beams(source.sonar)};
-  if (!options.vehicle_frame.empty()) {
-    return {{header(options.vehicle_frame), name, source.sonar.vehicle_from_sonar()}, beams};
+  std::vector<FramePose> frames = {
+      options.vehicle_frame.empty() ? FramePose{header(options.world_frame), name, ping.world_from_sonar}
+                                    : FramePose{header(options.vehicle_frame), name, source.sonar.vehicle_from_sonar()},
+      beams};
+  if (source.sonar.is_multibeam() && form != MessageForm::kGazebo) {
+    frames.push_back({header(name), name + "_swath", housing_from_swath()});
   }
-  return {{header(options.world_frame), name, ping.world_from_sonar}, beams};
+  return frames;
 }
 
 // Without ground truth, no cell has a label.
@@ -199,6 +225,20 @@ std::vector<std::byte> SonarMessages::State::scan() const {
   return encode_scan(form, {ended->time_ns, name, static_cast<std::uint32_t>(ended->first_ping)}, ended->scan);
 }
 
+// Beams without a sounding have zeros and a flag.
+std::vector<std::byte> SonarMessages::State::detections() const {
+  constexpr std::uint8_t kGood = 0, kBad = 1;  // DETECT_OK, DETECT_BAD_SONAR
+  DetectionFacts facts_now;
+  for (const Sounding& sounding : ping.soundings) {
+    const bool placed = is_placed(sounding);
+    facts_now.flags.push_back(placed ? kGood : kBad);
+    facts_now.travel_times.push_back(placed ? 2 * sounding.range / facts.sound_speed : 0);
+    facts_now.intensities.push_back(placed ? decibels_of(sounding.intensity) : 0);
+    facts_now.receive_angles.push_back(-sounding.azimuth);
+  }
+  return encode_detections(form, header(name + "_swath"), facts, facts_now);
+}
+
 SonarMessages::SonarMessages(MessageSource source, MessageOptions options, MessageForm form) {
   options.validate();
   const MessageLevels levels = message_levels(source, options);
@@ -210,6 +250,10 @@ SonarMessages::SonarMessages(MessageSource source, MessageOptions options, Messa
   display.validate();
   const std::string name = ros_name(source.name.empty() ? source.sonar.name : source.name);
   const double sound_speed = source.sonar.assumed_sound_speed.value_or(0);  // 0: unknown, as the .msg file says.
+  if (source.sonar.is_multibeam() && !(sound_speed > 0)) {
+    throw Error(fmt::format("messages of the multibeam {}: assumed_sound_speed is missing, by which ranges are times",
+                            printable(source.sonar.name)));
+  }
   SonarImageFacts facts = image_facts(source.sonar, sound_speed);
   std::vector<MessageChannel> channels = message_channels(name, form, options, source.sonar);
   state_ = std::make_unique<State>(
@@ -250,11 +294,15 @@ void SonarMessages::take(const Ping& ping, double time) {
   if (state_->options.live) {
     kept.instance = ping.instance;
   }
+  if (sonar.is_multibeam()) {
+    kept.soundings = beam_soundings(ping, sonar);
+  }
   state_->time_ns = start_ns + static_cast<std::uint64_t>(std::llround(time * 1e9));
   state_->look_for_fan();
   Ping bare = kept;
   bare.elevation.clear();
   bare.instance.clear();
+  bare.soundings.clear();
   state_->raised = raised_by_range(std::move(bare), sonar, state_->display.raised_per_decade);
   const auto limit = static_cast<float>(lowest_cut(levels(), state_->options.bits));
   for (const float value : state_->raised.intensity) {
@@ -308,6 +356,10 @@ std::vector<std::byte> SonarMessages::encode(std::size_t channel) const {
       return state.scan();
     case MessageKind::kRawImage:
       return state.raw_sonar_image();
+    case MessageKind::kDetections:
+      return state.detections();
+    case MessageKind::kSoundings:
+      return encode_cloud(state.form, state.header(state.name), cloud_of(sounding_points(state.ping.soundings)));
     case MessageKind::kScenario:
       break;
   }

@@ -11,8 +11,8 @@
 
 #include "insonify/error.h"
 #include "insonify/printable.h"
+#include "io/file/sounding_columns.h"
 #include "io/recorded/open_recording.h"
-#include "io/recording/sounding_columns.h"
 
 namespace insonify {
 namespace {

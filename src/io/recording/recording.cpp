@@ -13,13 +13,13 @@
 #include "insonify/printable.h"
 #include "insonify/version.h"
 #include "insonify/words.h"
+#include "io/file/sounding_columns.h"
 #include "io/recording/fletcher.h"
 #include "io/recording/growing_file.h"
 #include "io/recording/hdf5_writer.h"
 #include "io/recording/ping_layers.h"
 #include "io/recording/put_markers.h"
 #include "io/recording/put_settings.h"
-#include "io/recording/sounding_columns.h"
 
 namespace insonify {
 namespace {
@@ -40,6 +40,11 @@ std::span<const SoundingColumn> columns_of(const SonarConfig& sonar) {
   return sonar.is_multibeam() ? sounding_columns() : std::span<const SoundingColumn>();
 }
 
+hid_t type_of(const SoundingColumn& column) {
+  const std::string_view type = column.type();
+  return type == "<f4" ? H5T_IEEE_F32LE : type == "<i4" ? H5T_STD_I32LE : H5T_STD_U8LE;
+}
+
 // In the order in which Recording::add hands over the values.
 std::vector<GrowingDataset> growing_datasets(const SonarConfig& sonar, const std::vector<PingLayer>& layers,
                                              bool compress) {
@@ -57,7 +62,7 @@ std::vector<GrowingDataset> growing_datasets(const SonarConfig& sonar, const std
     datasets.push_back({"head_angle", H5T_IEEE_F64LE, {}, false});
   }
   for (const SoundingColumn& column : columns_of(sonar)) {
-    datasets.push_back({column.name, column.type(), {static_cast<hsize_t>(sonar.beam_count)}, false});
+    datasets.push_back({column.name, type_of(column), {static_cast<hsize_t>(sonar.beam_count)}, false});
   }
   return datasets;
 }
@@ -80,7 +85,7 @@ void describe_datasets(const H5Writer& writer, const SonarConfig& sonar, const s
     describe("head_angle", "ping", {"rad", "Turn of the head in its housing, positive to port."});
   }
   for (const SoundingColumn& column : columns_of(sonar)) {
-    describe(column.name, "ping beam", column.note);
+    describe(column.name, "ping beam", {column.units, column.description});
   }
 }
 

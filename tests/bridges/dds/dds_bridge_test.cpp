@@ -113,26 +113,12 @@ void expect_levels_of(const RecordedPings& recording, std::uint64_t ping, const 
   EXPECT_GT(std::ranges::count_if(image.values, [](auto value) { return value > 0 && value < 65535; }), 20);  // Echoes.
 }
 
-// Poses and time of another vendor's program in, messages out: the same bytes as the recording of the same pings has.
-TEST_F(DdsBridgeTest, MessagesAreThoseOfTheRecordings) {
-  folder_.write("dive.yaml", scenario());
-  ASSERT_EQ(std::system(INSONIFY_CLI " run dive.yaml -o out --record h5,mcap --no-pictures > said.txt"), 0);
-  std::filesystem::path recorded;
-  for (const auto& entry : std::filesystem::directory_iterator("out")) {
-    recorded = entry.path().extension() == ".mcap" ? entry.path() : recorded;
-  }
-  const McapReader mcap(recorded);
+using Readers = std::map<std::string, std::unique_ptr<FastReader>>;
 
-  StartedBridge bridge = start({"--odometry", "/auv/odom", "--clock", "simulated"});
-  std::map<std::string, std::unique_ptr<FastReader>> readers;
-  for (const auto& [topic, type] : mcap.topics()) {
-    if (topic != "/scenario") {
-      readers[topic] = node_.reader(dds_topic_name(topic), dds_type_name(type));
-    }
-  }
-  ASSERT_EQ(readers.size(), 6U);
-  const auto odom = node_.writer("rt/auv/odom", "nav_msgs::msg::dds_::Odometry_");
-  const auto clock = node_.writer("rt/clock", "rosgraph_msgs::msg::dds_::Clock_", {.reliable = false});
+// Sends poses and times until each reader has a message for each of them; a failure otherwise.
+void ping_along(FastNode& node, const Readers& readers) {
+  const auto odom = node.writer("rt/auv/odom", "nav_msgs::msg::dds_::Odometry_");
+  const auto clock = node.writer("rt/clock", "rosgraph_msgs::msg::dds_::Clock_", {.reliable = false});
   ASSERT_TRUE(odom->wait_for_reader());
   ASSERT_TRUE(clock->wait_for_reader());
   for (const auto& [topic, reader] : readers) {
@@ -152,15 +138,41 @@ TEST_F(DdsBridgeTest, MessagesAreThoseOfTheRecordings) {
       ASSERT_TRUE(reader->wait_for(static_cast<std::size_t>(i) + 1)) << topic << ", ping " << i;
     }
   }
+}
+
+// The first message has the stamp 1 ns, and 0 in the recording.
+void expect_same(const McapReader& mcap, const Readers& readers) {
   for (const auto& [topic, reader] : readers) {
     const std::vector<McapReader::Entry>& entries = mcap.messages(topic);
     ASSERT_EQ(entries.size(), static_cast<std::size_t>(kPings)) << topic;
     const std::vector<Bytes> messages = reader->messages();
-    for (std::size_t i = 1; i < entries.size(); ++i) {  // The first has the stamp 1 ns, and 0 in the recording.
+    for (std::size_t i = 1; i < entries.size(); ++i) {
       const Bytes expected = mcap.read(entries[i]);
       EXPECT_TRUE(cut_to(messages[i], expected.size()) == expected) << topic << ", ping " << i;
     }
   }
+}
+
+// Poses and time of another vendor's program in, messages out: the same bytes as the recording of the same pings has.
+TEST_F(DdsBridgeTest, MessagesAreThoseOfTheRecordings) {
+  folder_.write("dive.yaml", scenario());
+  ASSERT_EQ(std::system(INSONIFY_CLI " run dive.yaml -o out --record h5,mcap --no-pictures > said.txt"), 0);
+  std::filesystem::path recorded;
+  for (const auto& entry : std::filesystem::directory_iterator("out")) {
+    recorded = entry.path().extension() == ".mcap" ? entry.path() : recorded;
+  }
+  const McapReader mcap(recorded);
+
+  StartedBridge bridge = start({"--odometry", "/auv/odom", "--clock", "simulated"});
+  Readers readers;
+  for (const auto& [topic, type] : mcap.topics()) {
+    if (topic != "/scenario") {
+      readers[topic] = node_.reader(dds_topic_name(topic), dds_type_name(type));
+    }
+  }
+  ASSERT_EQ(readers.size(), 6U);
+  ASSERT_NO_FATAL_FAILURE(ping_along(node_, readers));
+  expect_same(mcap, readers);
   const RecordedPings hdf5("out/fls.h5");
   ASSERT_EQ(hdf5.ping_count(), static_cast<std::uint64_t>(kPings));
   for (std::uint64_t i = 0; i < kPings; ++i) {
@@ -171,6 +183,32 @@ TEST_F(DdsBridgeTest, MessagesAreThoseOfTheRecordings) {
   double seconds = 0;
   EXPECT_EQ(bridge.end(&seconds), 0);
   EXPECT_LT(seconds, kPrompt);
+}
+
+// A multibeam 5 m above a floor, and a fan, which has no soundings.
+TEST_F(DdsBridgeTest, SoundingsAreThoseOfTheRecordings) {
+  folder_.write("floor.obj", "v -50 -50 -5\nv 50 -50 -5\nv 50 50 -5\nv -50 50 -5\nf 1 2 3 4\n");
+  std::string text = scenario();
+  text.replace(text.find("none"), 4, "floor.obj");
+  text.insert(text.find("pings:"),
+              R"(  - {name: swath, type: mbes, beam_count: 24, bin_count: 200, azimuth_aperture_deg: 120,
+     azimuth_resolution_deg: 4, elevation_aperture_deg: 4, max_range: 12, ping_period: 0.0625}
+)");
+  folder_.write("dive.yaml", text);
+  ASSERT_EQ(std::system(INSONIFY_CLI " run dive.yaml -o out --record mcap --no-pictures > said.txt"), 0);
+  const McapReader mcap("out/swath.mcap");
+  EXPECT_FALSE(McapReader("out/fls.mcap").topics().contains("/fls/detections"));
+  StartedBridge bridge = start({"--odometry", "/auv/odom", "--clock", "simulated"});
+  Readers readers;
+  for (const char* topic : {"/swath/detections", "/swath/soundings"}) {
+    readers[topic] = node_.reader(dds_topic_name(topic), dds_type_name(mcap.topics().at(topic)));
+  }
+  ASSERT_NO_FATAL_FAILURE(ping_along(node_, readers));
+  expect_same(mcap, readers);
+  EXPECT_EQ(node_.user_data("rt/swath/detections"),
+            fmt::format("typehash={};", type_hash("marine_acoustic_msgs::msg::dds_::SonarDetections_")));
+  constexpr std::size_t kWithoutPoints = 400;  // Greater than the cloud's other fields [bytes].
+  EXPECT_GT(readers.at("/swath/soundings")->messages().back().size(), kWithoutPoints);
 }
 
 // Messages with stamps from a time on [s]; they begin with a header.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <memory>
 
@@ -316,6 +317,46 @@ TEST_F(GazeboBridgeTest, AllKindsOfMessagesAreThere) {
   ignition::msgs::StringMsg text;
   ASSERT_TRUE(text.ParseFromString(scenario.messages().back()));
   EXPECT_THAT(text.data(), HasSubstr("sonars:"));
+}
+
+// A multibeam 3 m above a floor. Points of 36 bytes: x points down, y to port.
+TEST_F(GazeboBridgeTest, SoundingsOfMultibeamsArePoints) {
+  folder_.write("dive.yaml", R"(world: none
+sonars:
+  - {name: swath, type: mbes, beam_count: 24, bin_count: 300, azimuth_aperture_deg: 100, azimuth_resolution_deg: 4,
+     elevation_aperture_deg: 4, max_range: 12, ping_period: 0.0625}
+)");
+  Program bridge = this->bridge();
+  GazeboReader image("/swath/sonar_image", "gz.msgs.Image");
+  GazeboReader gz("/swath/soundings", "gz.msgs.PointCloudPacked"),
+      ignition("/swath/soundings", "ignition.msgs.PointCloudPacked");
+  Player player("tank", "gz");
+  player.send("add 10 floor 0 0 -3.5 0 static box 60 60 1");
+  player.send("add 20 rov 0 0 0 0 free box 0.1 0.1 0.1");
+  player.send("followed");
+  (void)next(player, image, 1);
+  (void)next(player, image, 1 + kPeriod);
+  ASSERT_TRUE(gz.wait_for(1) && ignition.wait_for(1));
+  EXPECT_EQ(gz.messages().back(), ignition.messages().back());
+  ignition::msgs::PointCloudPacked cloud;
+  ASSERT_TRUE(cloud.ParseFromString(gz.messages().back()));
+  ASSERT_EQ(cloud.field_size(), 10);
+  EXPECT_EQ(cloud.field(6).name(), "beam");
+  EXPECT_EQ(cloud.field(6).datatype(), ignition::msgs::PointCloudPacked::Field::UINT16);
+  EXPECT_EQ(cloud.field(7).datatype(), ignition::msgs::PointCloudPacked::Field::UINT8);
+  EXPECT_EQ(cloud.field(8).datatype(), ignition::msgs::PointCloudPacked::Field::INT32);
+  EXPECT_EQ(cloud.field(8).offset(), 28U);
+  EXPECT_EQ(cloud.field(5).datatype(), ignition::msgs::PointCloudPacked::Field::FLOAT32);
+  EXPECT_EQ(cloud.point_step(), 36U);
+  ASSERT_GT(cloud.width(), 12U);
+  ASSERT_EQ(cloud.data().size(), std::size_t{36} * cloud.width());
+  for (std::uint32_t point = 0; point < cloud.width(); ++point) {
+    float place[3];
+    std::memcpy(place, &cloud.data()[std::size_t{36} * point], sizeof place);
+    EXPECT_NEAR(place[0], 3, 0.3) << point;
+    EXPECT_LT(std::abs(place[1]), 4) << point;
+    EXPECT_EQ(place[2], 0) << point;
+  }
 }
 
 TEST_F(GazeboBridgeTest, WhatCannotBeMadeIsToldOnceAndTheRestIsInsonified) {

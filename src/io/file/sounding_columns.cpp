@@ -1,6 +1,6 @@
 // sounding_columns.cpp -- names, types, units and meanings of the tables of soundings.
 
-#include "io/recording/sounding_columns.h"
+#include "io/file/sounding_columns.h"
 
 #include <cmath>
 #include <cstring>
@@ -11,15 +11,14 @@ namespace insonify {
 namespace {
 
 const SoundingColumn kColumns[] = {
-    {"sounding_range", &Sounding::range, {"m", "Slant range of the bottom in each beam; NaN where none was found."}},
-    {"sounding_uncertainty", &Sounding::uncertainty, {"m", "Standard deviation of sounding_range."}},
-    {"sounding_quality", &Sounding::quality, {"1", "log10(range / uncertainty); 0 where no bottom was found."}},
-    {"sounding_intensity", &Sounding::intensity, {"1", "Mean echo intensity of the bins of the bottom's echo."}},
-    {"sounding_snippet_begin", &Sounding::snippet_begin, {"1", "First bin of the bottom's echo."}},
-    {"sounding_snippet_end", &Sounding::snippet_end, {"1", "Bin behind its last; equal to the first without an echo."}},
-    {"sounding_detection",
-     &Sounding::detection,
-     {"1", "How the bottom was found: 0 not at all, 1 by amplitude, 2 by phase."}},
+    {"sounding_range", &Sounding::range, "m", "Slant range of the bottom in each beam; NaN where none was found."},
+    {"sounding_uncertainty", &Sounding::uncertainty, "m", "Standard deviation of sounding_range."},
+    {"sounding_quality", &Sounding::quality, "1", "log10(range / uncertainty); 0 where no bottom was found."},
+    {"sounding_intensity", &Sounding::intensity, "1", "Mean echo intensity of the bins of the bottom's echo."},
+    {"sounding_snippet_begin", &Sounding::snippet_begin, "1", "First bin of the bottom's echo."},
+    {"sounding_snippet_end", &Sounding::snippet_end, "1", "Bin behind its last; equal to the first without an echo."},
+    {"sounding_detection", &Sounding::detection, "1",
+     "How the bottom was found: 0 not at all, 1 by amplitude, 2 by phase."},
 };
 
 template <typename Member>
@@ -31,13 +30,11 @@ struct ValueOfMember<Value Sounding::*> {
 
 }  // namespace
 
-hid_t SoundingColumn::type() const {
+const char* SoundingColumn::type() const {
   return std::visit(
-      [](auto of) -> hid_t {
+      [](auto of) {
         using Value = typename ValueOfMember<decltype(of)>::type;
-        return std::is_same_v<Value, float>          ? H5T_IEEE_F32LE
-               : std::is_same_v<Value, std::int32_t> ? H5T_STD_I32LE
-                                                     : H5T_STD_U8LE;
+        return std::is_same_v<Value, float> ? "<f4" : std::is_same_v<Value, std::int32_t> ? "<i4" : "|u1";
       },
       member);
 }

@@ -9,16 +9,15 @@
 #include <vector>
 
 #include "insonify/sounding.h"
-#include "io/recording/hdf5_writer.h"
 
 namespace insonify {
 
 struct SoundingColumn {
   const char* name;
   std::variant<float Sounding::*, std::int32_t Sounding::*, Detection Sounding::*> member;
-  H5Note note;
+  const char *units, *description;
 
-  [[nodiscard]] hid_t type() const;  ///< HDF5 type of a value in the file.
+  [[nodiscard]] const char* type() const;  ///< Type of a value in the file, as NumPy spells it: "<f4", "<i4", "|u1".
 
   /// Its value of each sounding, as in the file.
   void store(std::span<const Sounding> soundings, std::vector<std::byte>& values) const;
