@@ -87,9 +87,9 @@ std::string manual_page(const std::vector<CommandWords>& commands) {
     }
   }
   text +=
-      ".SH DESCRIPTION\nPuts sound into a 3-D scene and gives the pings that a forward-looking or a mechanically "
-      "scanned\n"
-      "sonar would record: recordings (HDF5) and pictures (PNG). What to simulate is said by a scenario, a YAML file\n"
+      ".SH DESCRIPTION\nPuts sound into a 3-D scene and gives the pings that a forward-looking sonar, a mechanically "
+      "scanned\none, a side-scan or a multibeam would record: recordings (HDF5) and pictures (PNG). What to simulate "
+      "is said by a scenario, a YAML file\n"
       "whose keys\n.B insonify describe\ntells.\n";
   for (const OptionWords& option : program.options) {
     text += option_text(option);

@@ -38,9 +38,11 @@ int cells_per_beam(const SonarConfig& fan, double slice, int least, bool split) 
   const double widest = std::sin((split ? kSplitCell : 0.5) * beam_width(fan));
   const double wanted = std::max<double>(least, std::ceil(slice / widest - kSlack));
   if (wanted > least && wanted * fan.beam_count > kMostCells) {
-    throw Error(fmt::format("{} beams as narrow as {:.4g} deg take {:.6g} cells of {} beam, must be at most {}",
-                            fan.beam_count, degrees_from_radians(beam_width(fan)), wanted * fan.beam_count,
-                            split ? "a quarter" : "half a", kMostCells));
+    throw Error(
+        fmt::format("{}: {} beams as narrow as {:.4g} deg (azimuth_resolution_deg) take {:.6g} cells of {} beam, "
+                    "must be at most {}",
+                    fan.name, fan.beam_count, degrees_from_radians(beam_width(fan)), wanted * fan.beam_count,
+                    split ? "a quarter" : "half a", kMostCells));
   }
   return static_cast<int>(wanted);
 }
