@@ -260,6 +260,10 @@ if(INSONIFY_BUILD_APPS)
   add_test(NAME sounding_messages
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/apps/sounding_messages_test.py $<TARGET_FILE:insonify_cli>)
   set_tests_properties(sounding_messages PROPERTIES TIMEOUT 120)
+  # Charts of soundings.
+  add_test(NAME grid_command
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/apps/grid_test.py $<TARGET_FILE:insonify_cli>)
+  set_tests_properties(grid_command PROPERTIES TIMEOUT 240)
   # Emulated instruments as a driver meets them.
   foreach(test oculus oculus_clients ping360 ping_streamers sonar3d15)
     add_test(NAME emulate_${test}

@@ -45,6 +45,7 @@ int run_program(std::vector<std::string> words) {
   add_info(program);
   add_export(program);
   add_mosaic(program);
+  add_grid(program);
   add_scenes(program);
   add_sonars(program);
   add_describe(program);

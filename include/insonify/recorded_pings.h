@@ -90,6 +90,10 @@ class RecordedPings {
   /// @throws Error with the path if the file cannot be read.
   [[nodiscard]] std::vector<Sounding> soundings(std::uint64_t ping) const;
 
+  /// Pose of the sonar at a ping, Ping::world_from_sonar.
+  /// @throws Error with the path if the file cannot be read, or has no poses.
+  [[nodiscard]] Pose pose(std::uint64_t ping) const;
+
   /// One ping for drawing: number, time, pose, head angle, intensities and soundings, without ground truth.
   /// @param ping  Below ping_count().
   /// @throws Error with the path if the file cannot be read, or has no times or poses.

@@ -45,6 +45,16 @@ Picture blank_picture(int width, int height, Rgb background) {
   return picture;
 }
 
+Picture pictures_beside(const Picture& left, const Picture& right, Rgb background) {
+  Picture both = blank_picture(left.width + right.width, std::max(left.height, right.height), background);
+  for (const auto& [picture, at] : {std::pair(&left, 0), {&right, left.width}}) {
+    for (int y = 0; y < picture->height; ++y) {
+      std::copy_n(picture->at(0, y), 3 * static_cast<std::size_t>(picture->width), both.at(at, y));
+    }
+  }
+  return both;
+}
+
 void blend(Picture& picture, int x, int y, const Ink& ink, double coverage) {
   if (x < 0 || y < 0 || x >= picture.width || y >= picture.height) {
     return;

@@ -21,6 +21,10 @@ struct Ink {
 
 [[nodiscard]] Picture blank_picture(int width, int height, Rgb background);
 
+/// Two pictures side by side, from their upper edges on.
+/// @param background  Below the lower one.
+[[nodiscard]] Picture pictures_beside(const Picture& left, const Picture& right, Rgb background);
+
 inline void put(Picture& picture, int x, int y, Rgb colour) {
   std::uint8_t* pixel = picture.at(x, y);
   pixel[0] = colour.red;

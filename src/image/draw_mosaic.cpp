@@ -116,17 +116,6 @@ void draw_legend(Picture& picture, const PlotLayout& plot, const Mosaic& mosaic,
   }
 }
 
-// Pictures of one height side by side.
-Picture beside(const Picture& left, const Picture& right) {
-  Picture both = blank_picture(left.width + right.width, std::max(left.height, right.height), palette::kBackground);
-  for (const auto& [picture, at] : {std::pair(&left, 0), {&right, left.width}}) {
-    for (int y = 0; y < picture->height; ++y) {
-      std::copy_n(picture->at(0, y), 3 * static_cast<std::size_t>(picture->width), both.at(at, y));
-    }
-  }
-  return both;
-}
-
 // One chart: of the mosaic, or of its labels.
 Picture draw_chart(const Mosaic& mosaic, const Extent& part, const Heading& heading, const Display& display,
                    const std::vector<std::string>* names) {
@@ -194,8 +183,10 @@ Picture draw_mosaic(const Mosaic& mosaic, const MosaicTitle& title, const Displa
   if (mosaic.instance.empty() || !display.annotations) {
     return picture;
   }
-  return beside(picture, draw_chart(mosaic, part, {"ground truth", "the object of the strongest echo"}, display,
-                                    &title.instances));
+  return pictures_beside(
+      picture,
+      draw_chart(mosaic, part, {"ground truth", "the object of the strongest echo"}, display, &title.instances),
+      palette::kBackground);
 }
 
 }  // namespace insonify

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "insonify/bed_heights.h"
 #include "insonify/error.h"
 #include "insonify/scenario_requests.h"
 #include "pattern/survey_flight.h"
@@ -161,14 +162,7 @@ PlannedBed planned_bed(const SurveyPlan& plan, const Scene& scene, const std::op
   const PlanPoint size = bed.high - bed.low;
   bed.columns = static_cast<int>(std::lround(kBedPixels * size.x() / size.maxCoeff()));
   bed.rows = static_cast<int>(std::lround(kBedPixels * size.y() / size.maxCoeff()));
-  const Bed surface(scene, {bed.low, bed.high}, ceiling);
-  for (int row = 0; row < bed.rows; ++row) {
-    for (int column = 0; column < bed.columns; ++column) {
-      const std::optional<Bed::Hit> hit = surface.at(bed.low.x() + (column + 0.5) / bed.columns * size.x(),
-                                                     bed.high.y() - (row + 0.5) / bed.rows * size.y());
-      bed.heights.push_back(hit ? static_cast<float>(hit->height) : std::numeric_limits<float>::quiet_NaN());
-    }
-  }
+  bed.heights = bed_heights(scene, {bed.low, bed.high, bed.columns, bed.rows}, {.ceiling = ceiling});
   return bed;
 }
 

@@ -28,7 +28,7 @@ TEST_P(MistakeTest, IsOneLineAndAnExitStatus) {
 
 constexpr Mistake kMistakes[] = {
     {"NoCommand", "insonify", 2,
-     "insonify: name a command; the commands are run, serve, emulate, bridge, draw, replay, info, export, mosaic, "
+     "insonify: name a command; the commands are run, serve, emulate, bridge, draw, replay, info, export, mosaic, grid, "
      "scenes, "
      "sonars, "
      "describe, "
@@ -38,7 +38,7 @@ constexpr Mistake kMistakes[] = {
      "(insonify --help)"},
     {"UnknownCommand", "insonify rnu fan.yaml", 2,
      "insonify: there is no command rnu; the commands are run, serve, emulate, bridge, draw, replay, info, export, "
-     "mosaic, "
+     "mosaic, grid, "
      "scenes, sonars, "
      "describe, "
      "compare, survey, bench, version, "
@@ -48,7 +48,7 @@ constexpr Mistake kMistakes[] = {
     {"UnknownOption", "insonify run fan.yaml --frob", 2, "insonify: not understood: --frob (insonify run --help)"},
     {"UnknownOptionBeforeTheCommand", "insonify --frob", 2,
      "insonify: there is no option --frob; the commands are run, serve, emulate, bridge, draw, replay, info, export, "
-     "mosaic, "
+     "mosaic, grid, "
      "scenes, sonars, "
      "describe, "
      "compare, survey, bench, version, "

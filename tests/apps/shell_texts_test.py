@@ -21,7 +21,7 @@ BASH = BUILD / "share/bash-completion/completions/insonify"
 ZSH = BUILD / "share/zsh/site-functions/_insonify"
 FISH = BUILD / "share/fish/vendor_completions.d/insonify.fish"
 PAGE = BUILD / "share/man/man1/insonify.1"
-COMMANDS = {"run", "serve", "emulate", "bridge", "draw", "replay", "info", "export", "mosaic", "scenes", "sonars", "describe", "compare", "survey", "bench",
+COMMANDS = {"run", "serve", "emulate", "bridge", "draw", "replay", "info", "export", "mosaic", "grid", "scenes", "sonars", "describe", "compare", "survey", "bench",
             "version", "completion", "manual"}
 ENVIRONMENT = {**os.environ, "PATH": f"{BUILD}:{os.environ['PATH']}"}
 

@@ -20,6 +20,7 @@ void add_replay(const Command& program);
 void add_info(const Command& program);
 void add_export(const Command& program);
 void add_mosaic(const Command& program);
+void add_grid(const Command& program);
 void add_scenes(const Command& program);
 void add_sonars(const Command& program);
 void add_describe(const Command& program);

@@ -10,6 +10,7 @@
 
 #include "insonify/files.h"
 #include "insonify/recording_info.h"
+#include "pictures/recorded_folders.h"
 
 namespace insonify {
 namespace {
@@ -90,28 +91,6 @@ RecordedScene read(const std::string& text, const std::filesystem::path& folder)
   }
   found.scenario = std::move(scenario);
   return found;
-}
-
-// Folders that file names in the scenario may be relative to: `folder` only, or those of the recordings, their parents
-// and the current one.
-std::vector<std::filesystem::path> folders_of(std::span<const std::filesystem::path> recordings,
-                                              const std::filesystem::path& folder) {
-  if (!folder.empty()) {
-    return {folder};
-  }
-  std::vector<std::filesystem::path> folders;
-  const auto add = [&](const std::filesystem::path& one) {
-    if (std::ranges::find(folders, one) == folders.end()) {
-      folders.push_back(one);
-    }
-  };
-  for (const std::filesystem::path& recording : recordings) {
-    const std::filesystem::path beside = std::filesystem::absolute(recording).lexically_normal().parent_path();
-    add(beside);
-    add(beside.parent_path());
-  }
-  add(std::filesystem::current_path());
-  return folders;
 }
 
 // Reads the world of a scenario. The log gets one warning if the world was not found or has changed.
@@ -215,8 +194,9 @@ void RecordedRun::open(const RecordedRunOptions& options, LiveWorld& world, cons
 
 void RecordedRun::find_scene(const RecordedRunOptions& options, LiveWorld& world, const Log& log) {
   const StoredTables& tables = tracks_.front().tables;
-  RecordedScene scene = recorded_scene(world.scenario.text, tables.texts("instance_names"),
-                                       tables.texts("material_names"), folders_of(options.files, options.folder), log);
+  RecordedScene scene =
+      recorded_scene(world.scenario.text, tables.texts("instance_names"), tables.texts("material_names"),
+                     recorded_folders(options.files, options.folder), log);
   world.scene = std::move(scene.scene);
   if (!scene.scenario) {
     return;

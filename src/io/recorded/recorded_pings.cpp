@@ -227,6 +227,11 @@ bool RecordedPings::has_soundings() const {
   return state_->tables->find("sounding_range") != nullptr;
 }
 
+Pose RecordedPings::pose(std::uint64_t ping) const {
+  const std::vector<double> pose = state_->row("world_from_sonar", ping, 7);
+  return {Vec3(pose[0], pose[1], pose[2]), Eigen::Quaterniond(pose[3], pose[4], pose[5], pose[6])};
+}
+
 Ping RecordedPings::ping(std::uint64_t number) const {
   const std::vector<double> values = intensity(number);
   Ping ping;
@@ -241,8 +246,7 @@ Ping RecordedPings::ping(std::uint64_t number) const {
     }
   }
   ping.time = state_->row("time", number, 1)[0];
-  const std::vector<double> pose = state_->row("world_from_sonar", number, 7);
-  ping.world_from_sonar = {Vec3(pose[0], pose[1], pose[2]), Eigen::Quaterniond(pose[3], pose[4], pose[5], pose[6])};
+  ping.world_from_sonar = pose(number);
   if (state_->tables->find("head_angle") != nullptr) {
     ping.head_angle = state_->row("head_angle", number, 1)[0];
   }
