@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "insonify/scene.h"
+#include "insonify/survey/sounding_grid.h"
 
 namespace insonify {
 
@@ -25,5 +26,11 @@ struct BedOptions {
 /// materials and surfaces without an end do not count.
 [[nodiscard]] std::vector<float> bed_heights(const Scene& scene, const PlanCells& cells,
                                              const BedOptions& options = {});
+
+/// Height of the scene in each cell of a grid, for SoundingGrid::truth: mean of nine rays, or the greatest where the
+/// grid has the highest soundings.
+/// @param ceiling  Height above which nothing is the bed, such as that of the highest sonar [m]; absent: none.
+[[nodiscard]] std::vector<float> true_heights(const SoundingGrid& grid, const Scene& scene,
+                                              const std::optional<double>& ceiling = {});
 
 }  // namespace insonify

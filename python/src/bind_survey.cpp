@@ -1,4 +1,4 @@
-// bind_survey.cpp -- insonify.survey: what is made of lines of side-scan pings, as arrays.
+// bind_survey.cpp -- insonify.survey: what is made of lines of pings of side-scan sonars and multibeams, as arrays.
 
 #include <fmt/format.h>
 #include <pybind11/numpy.h>
@@ -8,11 +8,14 @@
 
 #include "bind.h"
 #include "convert.h"
+#include "insonify/bed_heights.h"
 #include "insonify/picture.h"
+#include "insonify/sounding_grid_files.h"
 #include "insonify/survey/bottom_track.h"
 #include "insonify/survey/mosaic.h"
 #include "insonify/survey/shadow_height.h"
 #include "insonify/survey/slant_range.h"
+#include "insonify/survey/sounding_grid.h"
 #include "insonify/waterfall.h"
 
 namespace insonify::python {
@@ -190,16 +193,117 @@ void bind_mosaic(py::module_& m) {
       "them.");
 }
 
+// Soundings of lines of pings.
+std::vector<PlacedSounding> soundings_from(const py::object& lines) {
+  std::vector<PlacedSounding> placed;
+  for (const py::handle line : lines) {
+    for (const py::handle item : line) {
+      const PythonPing& ping = ping_from(py::reinterpret_borrow<py::object>(item));
+      if (ping.soundings.empty()) {
+        throw Error("", "lines", fmt::format(": a ping of {} has no soundings", ping.facts->sonar.name));
+      }
+      place_soundings(ping.soundings, ping.world_from_sonar, placed);
+    }
+  }
+  return placed;
+}
+
+std::optional<Detection> detection_from(const std::string& text) {
+  return text == "both" ? std::nullopt : std::optional(word_from<Detection>(text, "detection"));
+}
+
+void bind_grid_errors(py::module_& m) {
+  py::class_<GridErrors>(m, "GridErrors", "How the heights of a grid differ from its truth.")
+      .def_readonly("cells", &GridErrors::cells, "Cells that have both.")
+      .def_readonly("mean", &GridErrors::mean, "Mean of height - truth [m].")
+      .def_readonly("deviation", &GridErrors::deviation, "Standard deviation of the difference [m].")
+      .def_readonly("within_95", &GridErrors::within_95, "Difference that 95 % of the cells do not exceed [m].")
+      .def_readonly("exclusive", &GridErrors::exclusive, "Share of cells within S-44's exclusive order, 0 to 1.")
+      .def_readonly("special", &GridErrors::special, "Share within special order.")
+      .def_readonly("order_1a", &GridErrors::order_1a, "Share within order 1a.");
+}
+
+void bind_sounding_grid(py::module_& m) {
+  bind_grid_errors(m);
+  py::class_<SoundingGrid> grid(m, "SoundingGrid", "Heights of the bed: arrays [rows, columns], rows from the north.");
+  grid.def_readonly("west", &SoundingGrid::west, "x of the upper left corner [m].")
+      .def_readonly("north", &SoundingGrid::north, "y of the upper left corner [m].")
+      .def_readonly("cell", &SoundingGrid::cell, "Side of a cell [m].")
+      .def_readonly("given", &SoundingGrid::given, "Soundings.")
+      .def_readonly("left_out", &SoundingGrid::left_out, "Soundings left out by quality or detection.")
+      .def_readonly("refused", &SoundingGrid::refused, "Outliers.")
+      .def_readonly("filled", &SoundingGrid::filled, "Cells that were interpolated.");
+  const auto add = [&](const char* name, auto member, const char* help) {
+    grid.def_property_readonly(
+        name,
+        [member](const SoundingGrid& self) -> py::object {
+          const auto& values = self.*member;
+          return values.empty() ? py::object(py::none())
+                                : table_of_rows(values, static_cast<std::size_t>(self.columns));
+        },
+        help);
+  };
+  add("height", &SoundingGrid::height, "z [m], float32; NaN: none.");
+  add("uncertainty", &SoundingGrid::uncertainty, "Standard deviation of the height [m], float32; NaN.");
+  add("count", &SoundingGrid::count, "Soundings that the height follows from, uint32.");
+  add("truth", &SoundingGrid::truth, "Height of the scene [m], float32; NaN: none. None without.");
+  grid.def("errors", &errors_of, py::arg("datum") = 0.0,
+           "Compares heights with the truth: GridErrors, or None without. datum: height from which depths count [m].");
+  grid.def(
+      "write",
+      [](const SoundingGrid& self, const py::object& path, const std::optional<std::pair<double, double>>& origin,
+         double datum) {
+        write_sounding_grid(
+            self, path_from(path, "path"),
+            {.origin = origin ? std::optional(GeographicPoint{origin->first, origin->second}) : std::nullopt,
+             .datum = datum});
+      },
+      py::arg("path"), py::arg("origin") = py::none(), py::arg("datum") = 0.0,
+      "Writes the cells in the format of the path's ending: .bag, .tif, .asc or .npz. origin: latitude and longitude "
+      "of "
+      "the world's origin [deg]. datum: height in the world from which heights in the file count [m].");
+}
+
+void bind_make_grid(py::module_& m) {
+  m.def(
+      "make_sounding_grid",
+      [](const py::object& lines, double cell, const std::string& method, double outliers, int fill,
+         double least_quality, const std::string& detection, const Scene* scene) {
+        SoundingGrid made =
+            make_sounding_grid(soundings_from(lines), {.cell = cell,
+                                                       .method = word_from<GridMethod>(method, "method"),
+                                                       .outliers = outliers,
+                                                       .fill = fill,
+                                                       .least_quality = least_quality,
+                                                       .only = detection_from(detection)});
+        if (scene != nullptr) {
+          made.truth = true_heights(made, *scene);
+        }
+        return made;
+      },
+      py::arg("lines"), py::arg("cell") = 0.0, py::arg("method") = "mean", py::arg("outliers") = 4.0,
+      py::arg("fill") = 0, py::arg("least_quality") = 0.0, py::arg("detection") = "both", py::arg("scene") = py::none(),
+      "Grids the soundings of lines, each an iterable of a multibeam's pings: a SoundingGrid. cell: its side [m], 0: "
+      "by "
+      "the density of soundings. method: height of a cell, mean (weighted by uncertainties), median or shoal (the "
+      "highest). outliers: soundings are refused that differ by more than so many standard deviations from their "
+      "cell's "
+      "median, 0: none. fill: widest gap that is interpolated [cells]. least_quality, detection (both, amplitude, "
+      "phase): soundings that are used. scene: for `truth`.");
+}
+
 }  // namespace
 
 void bind_survey(py::module_& module) {
   py::module_ m =
       module.def_submodule("survey",
                            "What is made of lines of side-scan pings: bottom, ranges on the bed, heights by "
-                           "shadows, mosaics. docs/concepts/side-scan-products.md");
+                           "shadows, mosaics; and of a multibeam's: charts. docs/concepts/side-scan-products.md");
   bind_track(m);
   bind_ranges(m);
   bind_mosaic(m);
+  bind_sounding_grid(m);
+  bind_make_grid(m);
 }
 
 }  // namespace insonify::python

@@ -43,6 +43,16 @@ TEST(BedHeightsTest, CellsWithoutABedHaveNone) {
   EXPECT_THAT(bed_heights(scene, {{0, 0}, {5, 1}, 1, 1}, {.ceiling = -6}), ElementsAre(IsNan()));
 }
 
+// The middle of the cell from x = 2 to 4 is at 3; the highest ray goes through 3.667.
+TEST(BedHeightsTest, ATruthHasTheCellsOfItsGrid) {
+  const Scene scene = bed_scene(40, [](double x, double y) { return x - 10 * y; });
+  SoundingGrid grid{.west = 2, .north = 1, .cell = 2, .columns = 1, .rows = 1};
+  EXPECT_THAT(true_heights(grid, scene), ElementsAre(FloatNear(3, 1e-5)));
+  grid.method = GridMethod::kShoal;
+  EXPECT_THAT(true_heights(grid, scene), ElementsAre(FloatNear(3 + 2.0 / 3 + 20.0 / 3, 1e-4)));
+  EXPECT_THAT(true_heights(grid, scene, -100), ElementsAre(IsNan()));
+}
+
 TEST(BedHeightsTest, RaysAreLimited) {
   EXPECT_EQ(message_of([] { (void)bed_heights({}, {}, {.rays = 17}); }), "rays = 17 must be from 1 to 16");
 }

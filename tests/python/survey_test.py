@@ -24,6 +24,19 @@ pings: 9
 """
 
 
+MULTIBEAM = """
+world: none
+receiver: {time_varied_gain: 30}
+sonars:
+  - {name: mb, type: mbes, frequency: 300.0e3, beam_count: 31, azimuth_aperture_deg: 90, azimuth_resolution_deg: 3,
+     elevation_aperture_deg: 20, transmit_elevation_aperture_deg: 3, max_range: 12, bin_count: 400, ping_period: 0.25}
+trajectory:
+  - {time: 0, position: [0, 0, 3]}
+  - {time: 4, position: [4, 0, 3]}
+pings: 17
+"""
+
+
 class SurveyTest(unittest.TestCase):
     def test_heights_by_hand(self):
         # Altitude 6 m, a post of 2 m at 8 m: foot at 10 m, top at sqrt(80) m, end of the shadow at sqrt(180) m.
@@ -51,6 +64,41 @@ class SurveyTest(unittest.TestCase):
         self.assertAlmostEqual(seen.sum() * 0.25, 2 * 19.36 * 4.5, delta=30)
         self.assertEqual(set(np.unique(mosaic.line[seen])), {0})
         self.assertAlmostEqual(mosaic.north, 20, delta=0.7)
+
+    def test_a_chart_of_a_level_floor(self):
+        scene = floor_scene()
+        simulator = insonify.Simulator(insonify.Scenario.from_text(MULTIBEAM), scene)
+        pings = [simulator.ping(number=number) for number in range(17)]
+        grid = survey.make_sounding_grid([pings[:9], pings[9:]], cell=1, scene=scene)
+        known = grid.count > 0
+        # Beams of 45 degrees to both sides, 5 m above the floor: 10 m x 4 m.
+        self.assertAlmostEqual(known.sum(), 40, delta=22)
+        np.testing.assert_array_equal(known, ~np.isnan(grid.height))
+        np.testing.assert_allclose(grid.height[known], -2, atol=0.2)
+        np.testing.assert_allclose(grid.truth[known], -2, atol=1e-6)
+        self.assertEqual(grid.count.sum() + grid.refused, grid.given)
+        errors = grid.errors(datum=8)
+        self.assertEqual(errors.cells, known.sum())
+        self.assertAlmostEqual(errors.mean, (grid.height[known] + 2).mean(), places=5)
+        self.assertEqual(errors.order_1a, 1)
+        with tempfile.TemporaryDirectory() as folder:
+            grid.write(folder + "/a.npz", origin=(54, 8), datum=1)
+            with np.load(folder + "/a.npz") as stored:
+                np.testing.assert_allclose(stored["height"], grid.height - 1, atol=1e-6)
+                np.testing.assert_array_equal(stored["count"], grid.count)
+                self.assertEqual(stored["x"][0], grid.west + 0.5)
+                self.assertEqual(stored["datum"], 1)
+                np.testing.assert_array_equal(stored["origin"], (54, 8))
+        shoal = survey.make_sounding_grid([pings], cell=1, method="shoal", outliers=0)
+        self.assertTrue((shoal.height[known] >= grid.height[known] - 1e-6).all())
+        self.assertIsNone(shoal.truth)
+        self.assertIsNone(shoal.errors())
+        phase = survey.make_sounding_grid([pings], cell=1, detection="phase")
+        self.assertEqual(phase.left_out, sum((ping.soundings["detection"] == 1).sum() for ping in pings))
+        with self.assertRaisesRegex(insonify.Error, "method = best must be one of mean, median, shoal"):
+            survey.make_sounding_grid([pings], method="best")
+        with self.assertRaisesRegex(insonify.Error, "there is no sounding to grid"):
+            survey.make_sounding_grid([])
 
     def test_what_an_xtf_file_says(self):
         with tempfile.TemporaryDirectory() as folder:

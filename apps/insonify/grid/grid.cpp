@@ -10,6 +10,7 @@
 #include "console/console.h"
 #include "console/outcome.h"
 #include "grid/recorded_bed.h"
+#include "insonify/bed_heights.h"
 #include "insonify/draw_sounding_grid.h"
 #include "insonify/files.h"
 #include "insonify/recorded_pings.h"

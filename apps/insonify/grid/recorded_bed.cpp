@@ -6,7 +6,6 @@
 
 #include <algorithm>
 
-#include "insonify/bed_heights.h"
 #include "insonify/error.h"
 #include "insonify/files.h"
 #include "insonify/recording_info.h"
@@ -63,15 +62,6 @@ RecordedBed recorded_bed(std::span<const std::filesystem::path> recordings, cons
     }
   }
   return bed;
-}
-
-std::vector<float> true_heights(const SoundingGrid& grid, const Scene& scene, double ceiling) {
-  constexpr int kRays = 3;
-  const PlanCells cells{{grid.west, grid.north - grid.rows * grid.cell},
-                        {grid.west + grid.columns * grid.cell, grid.north},
-                        grid.columns,
-                        grid.rows};
-  return bed_heights(scene, cells, {.ceiling = ceiling, .rays = kRays, .highest = grid.method == GridMethod::kShoal});
 }
 
 }  // namespace insonify

@@ -9,7 +9,6 @@
 
 #include "insonify/scenario.h"
 #include "insonify/scene.h"
-#include "insonify/survey/sounding_grid.h"
 
 namespace insonify {
 
@@ -24,10 +23,5 @@ struct RecordedBed {
 /// @param folder  Base of file names in the scenario; empty: searched.
 [[nodiscard]] RecordedBed recorded_bed(std::span<const std::filesystem::path> recordings, const std::string& sonar,
                                        const std::filesystem::path& folder);
-
-/// Height of the scene in each cell of a grid: mean of nine rays, or the greatest where the grid has the highest
-/// soundings.
-/// @param ceiling  Height of the highest sonar, above which nothing is the bed [m].
-[[nodiscard]] std::vector<float> true_heights(const SoundingGrid& grid, const Scene& scene, double ceiling);
 
 }  // namespace insonify
