@@ -172,23 +172,39 @@ void take_heights(SoundingGrid& grid, std::span<const PlacedSounding> soundings,
   });
 }
 
-}  // namespace
-
-void place_soundings(std::span<const Sounding> soundings, const Pose& world_from_sonar,
-                     std::vector<PlacedSounding>& placed) {
+// Appends the soundings that were found, at the positions that a function gives.
+template <typename PositionOf>
+void append_placed(std::span<const Sounding> soundings, const Pose& world_from_sonar,
+                   std::vector<PlacedSounding>& placed, const PositionOf& position_of_sounding) {
   constexpr double kLeastCosine = 0.1, kLeastDeviation = 1e-3;  // [m]
   for (const Sounding& sounding : soundings) {
     if (!sounding.found()) {
       continue;
     }
-    const Vec3 position = position_of(sounding, world_from_sonar);
-    const double cosine = std::abs((position - world_from_sonar.position).z()) / static_cast<double>(sounding.range);
+    const Vec3 position = position_of_sounding(sounding), ray = position - world_from_sonar.position;
+    const double cosine = std::abs(ray.z()) / ray.norm();
     const double deviation = static_cast<double>(sounding.uncertainty) * std::max(cosine, kLeastCosine);
     placed.push_back({.position = position,
                       .deviation = static_cast<float>(deviation < kLeastDeviation ? kLeastDeviation : deviation),
                       .quality = sounding.quality,
                       .detection = sounding.detection});
   }
+}
+
+}  // namespace
+
+void place_soundings(std::span<const Sounding> soundings, const Pose& world_from_sonar,
+                     std::vector<PlacedSounding>& placed) {
+  append_placed(soundings, world_from_sonar, placed,
+                [&](const Sounding& sounding) { return position_of(sounding, world_from_sonar); });
+}
+
+void place_soundings(std::span<const Sounding> soundings, const Pose& world_from_sonar,
+                     const SoundSpeedProfile& profile, double surface_level, double shown_speed,
+                     std::vector<PlacedSounding>& placed) {
+  append_placed(soundings, world_from_sonar, placed, [&](const Sounding& sounding) {
+    return position_of(sounding, world_from_sonar, profile, surface_level, shown_speed);
+  });
 }
 
 SoundingGrid make_sounding_grid(std::span<const PlacedSounding> soundings, const SoundingGridOptions& options) {

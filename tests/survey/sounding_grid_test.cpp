@@ -12,6 +12,7 @@
 #include <numbers>
 #include <random>
 
+#include "insonify/survey/bottom_detection.h"
 #include "support/message_of.h"
 
 namespace insonify::sounding_grid_test {
@@ -51,6 +52,23 @@ TEST(PlaceSoundingsTest, UncertaintyOfTheHeightFollowsTheAngle) {
   EXPECT_NEAR((placed[1].position - Vec3(10, 20 + 8 * std::sqrt(0.75), -7)).norm(), 0, 1e-5);
   EXPECT_NEAR(placed[1].deviation, 0.1, 1e-6);
   EXPECT_NEAR(placed[2].deviation, 0.02, 1e-6);  // Not 0.2 cos(89 deg) = 0.0035.
+}
+
+// By position_of(), and through water of equal speed along a straight ray whose length is that of the time: 1450 /
+// 1500.
+TEST(PlaceSoundingsTest, AProfileBendsTheRays) {
+  const Pose down{Vec3(10, 20, -3), orientation_from_rpy(0, std::numbers::pi / 2, 0)};
+  const std::array soundings{
+      Sounding{.azimuth = 0.9F, .range = 30, .uncertainty = 0.2F, .detection = Detection::kPhase}};
+  std::vector<PlacedSounding> placed;
+  const std::array points{ProfilePoint{0, 1520}, ProfilePoint{40, 1480}};
+  const SoundSpeedProfile profile(points);
+  place_soundings(soundings, down, profile, 1, 1500, placed);
+  EXPECT_EQ(placed[0].position, position_of(soundings[0], down, profile, 1, 1500));
+  const std::array equal{ProfilePoint{0, 1450}};
+  place_soundings(soundings, down, SoundSpeedProfile(equal), 1, 1500, placed);
+  EXPECT_NEAR((placed[1].position - position_of(soundings[0], down, 1450.0 / 1500)).norm(), 0, 1e-9);
+  EXPECT_NEAR(placed[1].deviation, 0.2 * std::cos(0.9), 1e-6);
 }
 
 // Weights 1/0.01 and 1/0.04: (100 * -10 + 25 * -10.1) / 125 = -10.02; 1 / sqrt(125) = 0.0894. chi^2 / (n - 1) is

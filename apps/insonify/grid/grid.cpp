@@ -15,6 +15,7 @@
 #include "insonify/files.h"
 #include "insonify/recorded_pings.h"
 #include "insonify/recording_formats.h"
+#include "insonify/sound_speed_files.h"
 #include "insonify/sounding_grid_files.h"
 
 namespace insonify {
@@ -22,7 +23,7 @@ namespace {
 
 struct GridCommand {
   std::vector<std::filesystem::path> recordings, files;
-  std::filesystem::path folder;
+  std::filesystem::path folder, profile;
   std::string sonar, origin, method = "mean", detection = "both";
   std::optional<double> cell = {}, datum = {};
   double outliers = 4, least_quality = 0;
@@ -51,24 +52,42 @@ void check_files(const GridCommand& options) {
   }
 }
 
-RecordedSoundings read_soundings(const GridCommand& options) {
-  RecordedSoundings read;
+std::vector<RecordedPings> open_multibeams(const GridCommand& options) {
+  std::vector<RecordedPings> multibeams;
   for (const std::filesystem::path& file : options.recordings) {
-    const RecordedPings pings(file, options.sonar);
+    const RecordedPings& pings = multibeams.emplace_back(file, options.sonar);
     if (!pings.has_soundings()) {
       throw Error(fmt::format("{}: {}", file.string(),
                               is_side_looking(pings.sonar_config())
                                   ? pings.sonar() + " is a side-scan sonar: insonify mosaic lays its lines onto a chart"
                                   : pings.sonar() + " has no soundings; multibeams (type: mbes) have"));
     }
+  }
+  return multibeams;
+}
+
+RecordedSoundings read_soundings(const GridCommand& options, const std::vector<RecordedPings>& multibeams,
+                                 double datum) {
+  constexpr double kUsualSpeed = 1500;  // By which ranges are shown where the recording does not say [m/s].
+  std::optional<SoundSpeedProfile> profile;
+  if (!options.profile.empty()) {
+    profile.emplace(load_sound_speed_profile(options.profile, log_to_user(true)), options.profile.string());
+  }
+  RecordedSoundings read;
+  for (const RecordedPings& pings : multibeams) {
+    const double shown_speed = pings.sonar_config().assumed_sound_speed.value_or(kUsualSpeed);
     for (std::uint64_t ping = 0; ping < pings.ping_count(); ++ping) {
       const Pose pose = pings.pose(ping);
-      place_soundings(pings.soundings(ping), pose, read.soundings);
+      if (profile) {
+        place_soundings(pings.soundings(ping), pose, *profile, datum, shown_speed, read.soundings);
+      } else {
+        place_soundings(pings.soundings(ping), pose, read.soundings);
+      }
       read.highest_sonar = std::max(read.highest_sonar, pose.position.z());
     }
     read.pings += pings.ping_count();
-    read.origin = &file == &options.recordings.front() ? pings.origin() : read.origin;
   }
+  read.origin = multibeams.front().origin();
   return read;
 }
 
@@ -153,12 +172,13 @@ int grid_command(const GridCommand& options) {
   if (!options.origin.empty()) {
     checked_input([&] { check_origin(*parsed_origin(options.origin)); });
   }
-  const RecordedSoundings read = checked_input([&] { return read_soundings(options); });
-  SoundingGrid grid = checked_input([&] { return make_sounding_grid(read.soundings, grid_options(options)); });
+  const std::vector<RecordedPings> multibeams = checked_input([&] { return open_multibeams(options); });
   const RecordedBed bed =
       checked_input([&] { return recorded_bed(options.recordings, options.sonar, options.folder); });
   const bool has_surface = bed.scenario && bed.scenario->surface;
   const double datum = options.datum.value_or(has_surface ? bed.scenario->surface->level : 0);
+  const RecordedSoundings read = checked_input([&] { return read_soundings(options, multibeams, datum); });
+  SoundingGrid grid = checked_input([&] { return make_sounding_grid(read.soundings, grid_options(options)); });
   if (bed.scene && !options.no_truth) {
     grid.truth = true_heights(grid, *bed.scene, read.highest_sonar);
   }
@@ -199,6 +219,9 @@ void add_grid(const Command& program) {
   command.option("--datum", "Z", &options.datum,
                  "Height in the world from which depths count [level of the scenario's surface, else 0]",
                  number_within(coordinate()));
+  command.option("--profile", "FILE", &options.profile,
+                 "Sound-speed cast that bends the rays (.csv, .svp, .asvp), with depths from the datum [straight rays]",
+                 not_empty("a file, such as cast.svp"));
   command.option("--origin", "LAT,LON", &options.origin,
                  "Place of the world's origin on the Earth, for .bag and .tif [what the first file says]", origin());
   command.option("--folder", "DIR", &options.folder,

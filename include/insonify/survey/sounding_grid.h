@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "insonify/acoustics/sound_speed_profile.h"
 #include "insonify/geometry.h"
 #include "insonify/sounding.h"
 #include "insonify/survey/survey_order.h"
@@ -40,6 +41,11 @@ struct PlacedSounding {
 /// near the horizontal do not outweigh all others, and at least 1 mm.
 /// @param world_from_sonar  Pose of the beams: Ping::world_from_sonar.
 void place_soundings(std::span<const Sounding> soundings, const Pose& world_from_sonar,
+                     std::vector<PlacedSounding>& placed);
+
+/// The same along rays that a profile bends, as position_of() does.
+void place_soundings(std::span<const Sounding> soundings, const Pose& world_from_sonar,
+                     const SoundSpeedProfile& profile, double surface_level, double shown_speed,
                      std::vector<PlacedSounding>& placed);
 
 struct SoundingGridOptions {
