@@ -24,6 +24,7 @@ INSONIFY = os.path.abspath(sys.argv.pop(1))
 SCENARIO = """
 world: bed.asc
 surface: {level: 3}
+water: {sound_speed: 1500}
 pattern:
   lines: {center: [0, 0], length: 20, width: 24, spacing: 12, height: -2, speed: 2, turns: skip}
 receiver: {time_varied_gain: 30}
@@ -191,6 +192,21 @@ class GridTest(unittest.TestCase):
         self.assertNotIn(" 0 left out", first_depth("--least-quality", "2.5")[1])
         self.assertAlmostEqual(first_depth("--datum", "0")[0], mean - 3, delta=0.011)
         self.assertNotIn("truth", first_depth("--no-truth")[1])
+
+    def test_a_cast_bends_the_rays(self):
+        def depths(speed):
+            with open("cast.csv", "w", encoding="ascii") as file:
+                file.write(f"depth,speed\n0,{speed}\n50,{speed}\n")
+            done = insonify("grid", "run/swath.h5", "-o", "cast.npz", "-f", "--cell", "1", "--profile", "cast.csv")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            return tables("cast.npz")["height"][1]
+        insonify("grid", "run/swath.h5", "-o", "straight.npz", "-f", "--cell", "1")
+        for cast, straight in zip(depths(1500), tables("straight.npz")["height"][1], strict=True):
+            self.assertTrue(math.isnan(cast) and math.isnan(straight) or abs(cast - straight) < 1e-4)
+        # The sonar is 5 m deep; below it sound that is slower by a thirtieth has come from less deep.
+        mean = [sum(filter(lambda z: not math.isnan(z), numbers)) / sum(not math.isnan(z) for z in numbers)
+                for numbers in (depths(1450), tables("straight.npz")["height"][1])]
+        self.assertAlmostEqual(mean[0] + 5, (mean[1] + 5) * 1450 / 1500, delta=0.05)
 
     def test_without_its_world_there_is_no_truth(self):
         os.makedirs("far/away", exist_ok=True)
