@@ -24,11 +24,6 @@ PlacedSounding sounding(double x, double y, double z, float deviation = 0.1F) {
   return {.position = {x, y, z}, .deviation = deviation, .quality = 3, .detection = Detection::kPhase};
 }
 
-float height_at(const SoundingGrid& grid, double x, double y) {
-  return grid.height[grid.index(static_cast<int>((x - grid.west) / grid.cell),
-                                static_cast<int>((grid.north - y) / grid.cell))];
-}
-
 // Straight down, 60 degrees to port, and nothing. By hand: cos(60 deg) = 1/2.
 TEST(PlaceSoundingsTest, UncertaintyOfTheHeightFollowsTheAngle) {
   const Pose down{Vec3(10, 20, -3), orientation_from_rpy(0, std::numbers::pi / 2, 0)};

@@ -17,6 +17,7 @@
 #include "insonify/recording_formats.h"
 #include "insonify/sound_speed_files.h"
 #include "insonify/sounding_grid_files.h"
+#include "insonify/survey/bottom_track.h"
 
 namespace insonify {
 namespace {

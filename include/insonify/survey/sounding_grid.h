@@ -67,10 +67,10 @@ struct SoundingGrid {
   GridMethod method = GridMethod::kMean;
 
   // [row * columns + column], rows from the north.
-  std::vector<float> height;         ///< z [m]; NaN: none.
-  std::vector<float> uncertainty;    ///< Standard deviation of the height (1 sigma) [m]; NaN.
-  std::vector<std::uint32_t> count;  ///< Soundings that the height follows from; 0: none, or filled.
-  std::vector<float> truth;          ///< Height of the scene [m]; NaN: none. Empty without.
+  std::vector<float> height = {};         ///< z [m]; NaN: none.
+  std::vector<float> uncertainty = {};    ///< Standard deviation of the height (1 sigma) [m]; NaN.
+  std::vector<std::uint32_t> count = {};  ///< Soundings that the height follows from; 0: none, or filled.
+  std::vector<float> truth = {};          ///< Height of the scene [m]; NaN: none. Empty without.
 
   std::uint64_t given = 0;     ///< Soundings.
   std::uint64_t left_out = 0;  ///< By quality or detection.
