@@ -138,7 +138,7 @@ TEST(SoundingGridTest, APlaneIsRecoveredWithinItsUncertainty) {
     }
   }
   for (const GridMethod method : {GridMethod::kMean, GridMethod::kMedian}) {
-    const SoundingGrid grid = make_sounding_grid(soundings, {.cell = 2, .method = method});
+    const SoundingGrid grid = make_sounding_grid(soundings, {.cell = 2, .method = method, .outliers = 0});
     ASSERT_EQ(grid.columns, 40);
     ASSERT_EQ(grid.rows, 20);
     double squares = 0;
