@@ -194,26 +194,27 @@ class GridTest(unittest.TestCase):
         self.assertNotIn("truth", first_depth("--no-truth")[1])
 
     def test_a_cast_bends_the_rays(self):
-        def depths(speed):
+        def mean_height(*options):
+            done = insonify("grid", "run/swath.h5", "-o", "cast.npz", "-f", "--cell", "1", *options)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            known = [height for height in tables("cast.npz")["height"][1] if not math.isnan(height)]
+            return sum(known) / len(known)
+
+        def by_cast(speed):
             with open("cast.csv", "w", encoding="ascii") as file:
                 file.write(f"depth,speed\n0,{speed}\n50,{speed}\n")
-            done = insonify("grid", "run/swath.h5", "-o", "cast.npz", "-f", "--cell", "1", "--profile", "cast.csv")
-            self.assertEqual(done.returncode, 0, done.stderr)
-            return tables("cast.npz")["height"][1]
-        insonify("grid", "run/swath.h5", "-o", "straight.npz", "-f", "--cell", "1")
-        for cast, straight in zip(depths(1500), tables("straight.npz")["height"][1], strict=True):
-            self.assertTrue(math.isnan(cast) and math.isnan(straight) or abs(cast - straight) < 1e-4)
+            return mean_height("--profile", "cast.csv")
+        straight = mean_height()
+        self.assertAlmostEqual(by_cast(1500), straight, delta=0.002)
         # The sonar is 5 m deep; below it sound that is slower by a thirtieth has come from less deep.
-        mean = [sum(filter(lambda z: not math.isnan(z), numbers)) / sum(not math.isnan(z) for z in numbers)
-                for numbers in (depths(1450), tables("straight.npz")["height"][1])]
-        self.assertAlmostEqual(mean[0] + 5, (mean[1] + 5) * 1450 / 1500, delta=0.05)
+        self.assertAlmostEqual(by_cast(1450) + 5, (straight + 5) * 1450 / 1500, delta=0.05)
 
     def test_without_its_world_there_is_no_truth(self):
         os.makedirs("far/away", exist_ok=True)
         os.makedirs("empty", exist_ok=True)
         done = insonify("grid", "../../run/swath.h5", "-o", "chart.asc", "-f", "--folder", "../../empty", cwd="far/away")
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertRegex(done.stdout, r"no truth: .*bed\.asc: no such file \(--folder DIR names the scenario's folder\)\n")
+        self.assertRegex(done.stdout, r"no truth: .*no file .*/empty/bed\.asc \(--folder DIR names the scenario's folder\)\n")
 
     def test_what_is_refused(self):
         for arguments, message in (
@@ -227,7 +228,7 @@ class GridTest(unittest.TestCase):
                 (["run/swath.h5", "-o", "a.png", "--cell", "0.001"],
                  r"a grid of [0-9]+ m x [0-9]+ m with cells of 0.001 m has [0-9.]+e\+0[89] of them; the most is 1e\+08"),
                 (["run/swath.h5", "-o", "a.png", "--cell", "0"],
-                 r"--cell 0: must be greater than 0, at most 10000.*"),
+                 "--cell: 0 must be a number, greater than 0, at most 10000"),
                 (["nothing.h5", "-o", "a.png"], "nothing.h5: no such file")):
             done = insonify("grid", *arguments)
             self.assertEqual(done.returncode, 2)
