@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <vector>
 
 #include "image/scales.h"
 
@@ -47,6 +49,20 @@ ValueRange range_of(std::span<const float> values) {
     }
   }
   return range;
+}
+
+ValueRange usual_range_of(std::span<const float> values) {
+  constexpr double kBeyond = 0.001;  // Share of values below the range, and above it.
+  std::vector<float> known;
+  std::ranges::copy_if(values, std::back_inserter(known), [](float value) { return std::isfinite(value); });
+  if (known.empty()) {
+    return range_of(known);
+  }
+  const auto beyond = static_cast<std::ptrdiff_t>(kBeyond * static_cast<double>(known.size()));
+  std::ranges::nth_element(known, known.begin() + beyond);
+  const auto low = static_cast<double>(known[static_cast<std::size_t>(beyond)]);
+  std::ranges::nth_element(known, known.end() - 1 - beyond);
+  return {low, static_cast<double>(*(known.end() - 1 - beyond))};
 }
 
 Rgb mixed_colour(std::span<const Rgb> colours, double share) {
@@ -153,7 +169,7 @@ void Chart::draw_bar(const ValueRange& range, const std::function<Rgb(double)>& 
     const Rgb filled = lit_colour(colour(1 - (y + 0.5) / height_), 0.85);
     fill_rectangle(picture_, {x, top_ + y}, {x + bar, top_ + y + 1}, {filled, 1});
   }
-  const auto [least, most] = std::minmax(sign * range.low, sign * range.high);
+  const auto [least, most] = std::minmax({sign * range.low, sign * range.high});
   for (const double value : multiples_within(least, most, nice_step(range.size(), 8))) {
     const double y = top_ + height_ * (1 - (sign * value - range.low) / range.size());
     draw_line(picture_, {x + bar, y}, {x + bar + kTickLength * em, y}, hairline(), palette::kText);

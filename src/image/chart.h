@@ -36,6 +36,9 @@ struct ValueRange {
 };
 [[nodiscard]] ValueRange range_of(std::span<const float> values);
 
+/// The same without the lowest and the highest thousandth.
+[[nodiscard]] ValueRange usual_range_of(std::span<const float> values);
+
 /// Colours of the bed from deep (0) to shallow (1), as on charts.
 [[nodiscard]] Rgb depth_colour(double share);
 

@@ -77,8 +77,8 @@ Picture depth_chart(const SoundingGrid& grid, const SoundedPart& part, const Sou
   std::vector<float> values = values_of(
       grid, part, [&](std::size_t at) { return static_cast<float>(static_cast<double>(grid.height[at]) - datum); });
   const ChartCells cells = cells_of(grid, part, values);
-  const ValueRange range = range_of(values);
-  const int sign = range.high < 0 ? -1 : 1;
+  const ValueRange range = usual_range_of(values);  // Single mistakes must not take up all colours.
+  const int sign = range_of(values).high < 0 ? -1 : 1;
   Chart chart(cells.low, cells.high, height, "Chart: " + printable(title.name, kLongestName), title.details);
   chart.draw_relief(cells, range);
   draw_contours(chart, cells, nice_step(range.size(), 8), 0, sign);

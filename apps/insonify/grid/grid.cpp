@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "console/commands.h"
@@ -112,7 +113,7 @@ Value median_of(std::vector<Value> values) {
   return *middle;
 }
 
-void print_grid(const SoundingGrid& grid, double datum) {
+std::vector<Row> grid_rows(const SoundingGrid& grid, double datum) {
   std::vector<std::uint32_t> counts;
   std::vector<float> uncertainties;
   double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -125,31 +126,28 @@ void print_grid(const SoundingGrid& grid, double datum) {
     }
   }
   const bool below = high < 0;
-  print_table(
-      {{"soundings", fmt::format("{}, {} left out, {} refused as outliers", grid.given, grid.left_out, grid.refused)},
-       {"cells", fmt::format("{} x {} of {:.6g} m; {} with soundings, {} in half of them or more; {} filled",
-                             grid.columns, grid.rows, grid.cell, counts.size(), median_of(counts), grid.filled)},
-       {below ? "depth" : "height", fmt::format("{:.2f} to {:.2f} m", below ? -high : low, below ? -low : high)},
-       {"uncertainty", fmt::format("{:.3f} m (1 sigma, median)", median_of(uncertainties))}});
+  return {
+      {"soundings", fmt::format("{}, {} left out, {} refused as outliers", grid.given, grid.left_out, grid.refused)},
+      {"cells", fmt::format("{} x {} of {:.6g} m; {} with soundings, {} in half of them or more; {} filled",
+                            grid.columns, grid.rows, grid.cell, counts.size(), median_of(counts), grid.filled)},
+      {below ? "depth" : "height", fmt::format("{:.2f} to {:.2f} m", below ? -high : low, below ? -low : high)},
+      {"uncertainty", fmt::format("{:.3f} m (1 sigma, median)", median_of(uncertainties))}};
 }
 
-void print_errors(const SoundingGrid& grid, double datum, const std::string& why) {
+std::vector<Row> error_rows(const SoundingGrid& grid, double datum, const std::string& why) {
   if (grid.truth.empty()) {
-    if (!why.empty()) {
-      say("no truth: {} (--folder DIR names the scenario's folder)\n", why);
-    }
-    return;
+    return why.empty() ? std::vector<Row>()
+                       : std::vector<Row>{{"truth", why + " (--folder DIR names the scenario's folder)"}};
   }
   const std::optional<GridErrors> errors = errors_of(grid, datum);
   if (!errors) {
-    say("no truth: there is no bed below the soundings\n");
-    return;
+    return {{"truth", "there is no bed below the soundings"}};
   }
   const auto percent = [](double share) { return fmt::format("{:.1f} %", 100 * share); };
-  print_table({{"truth", fmt::format("mean difference {:+.3f} m, standard deviation {:.3f} m, 95 % within {:.3f} m",
-                                     errors->mean, errors->deviation, errors->within_95)},
-               {"S-44", fmt::format("exclusive order {}, special order {}, order 1a {} of cells",
-                                    percent(errors->exclusive), percent(errors->special), percent(errors->order_1a))}});
+  return {{"truth", fmt::format("mean difference {:+.3f} m, standard deviation {:.3f} m, 95 % within {:.3f} m",
+                                errors->mean, errors->deviation, errors->within_95)},
+          {"S-44", fmt::format("exclusive order {}, special order {}, order 1a {} of cells", percent(errors->exclusive),
+                               percent(errors->special), percent(errors->order_1a))}};
 }
 
 void write_files(const GridCommand& options, const SoundingGrid& grid, const RecordedSoundings& read, double datum) {
@@ -158,7 +156,7 @@ void write_files(const GridCommand& options, const SoundingGrid& grid, const Rec
   for (const std::filesystem::path& file : options.files) {
     if (file.extension() == ".png") {
       const SoundingGridTitle title{
-          name, fmt::format("{}   {}   {} of cells of {:.3g} m", counted(options.recordings.size(), "recording"),
+          name, fmt::format("{}   {}   {} in cells of {:.3g} m", counted(options.recordings.size(), "recording"),
                             counted(read.pings, "ping"), options.method, grid.cell)};
       write_png(file, draw_sounding_grid(grid, title, datum, options.height));
     } else {
@@ -183,8 +181,9 @@ int grid_command(const GridCommand& options) {
   if (bed.scene && !options.no_truth) {
     grid.truth = true_heights(grid, *bed.scene, read.highest_sonar);
   }
-  print_grid(grid, datum);
-  print_errors(grid, datum, options.no_truth ? "" : bed.why);
+  std::vector<Row> rows = grid_rows(grid, datum);
+  std::ranges::copy(error_rows(grid, datum, options.no_truth ? "" : bed.why), std::back_inserter(rows));
+  print_table(rows);
   write_files(options, grid, read, datum);
   return kDone;
 }
