@@ -28,7 +28,8 @@ TEST_P(MistakeTest, IsOneLineAndAnExitStatus) {
 
 constexpr Mistake kMistakes[] = {
     {"NoCommand", "insonify", 2,
-     "insonify: name a command; the commands are run, serve, emulate, bridge, draw, replay, info, export, mosaic, grid, "
+     "insonify: name a command; the commands are run, serve, emulate, bridge, draw, replay, info, export, mosaic, "
+     "grid, "
      "scenes, "
      "sonars, "
      "describe, "
