@@ -17,6 +17,8 @@ constexpr double kDeepestDb = 60;  // Below the median level.
 constexpr int kLevelSteps = 64;    // Classes of the histogram.
 constexpr double kLeastSpreadDb = 1;
 constexpr double kGainPerDecadeDb = 30;
+constexpr double kFaintDb = 20;       // A bed's first return may be this far below what follows it.
+constexpr double kFaintDecayDb = 10;  // What is fainter by this more loses a factor e of its score.
 
 // Mean intensities of the cells of one beam.
 std::vector<float> cell_means(const Ping& ping, int beam, const RangeCells& cells) {
@@ -85,6 +87,14 @@ class LevelCounts {
     }
     return all_ > 0 ? below / static_cast<double>(all_) : 0;
   }
+  // The level that a quarter of those added exceed.
+  [[nodiscard]] double upper_quartile() const {
+    int above = 0, step = kLevelSteps - 1;
+    while (step > 0 && 4 * (above + counts_[step]) < all_) {
+      above += counts_[step--];
+    }
+    return low_ + (step + 0.5) * step_;
+  }
 
  private:
   [[nodiscard]] int step_of(double level) const {
@@ -94,6 +104,17 @@ class LevelCounts {
   int all_ = 0;
   std::array<int, kLevelSteps> counts_{};
 };
+
+// Upper quartile of the levels from each cell on: the bed farther out, where an edge is the surface's echo or a fish.
+std::vector<double> levels_behind(const std::vector<float>& levels) {
+  std::vector<double> behind(levels.size());
+  LevelCounts counts(levels);
+  for (std::size_t cell = levels.size(); cell-- > 0;) {
+    counts.add(double{levels[cell]});
+    behind[cell] = counts.upper_quartile();
+  }
+  return behind;
+}
 
 }  // namespace
 
@@ -137,6 +158,7 @@ int end_of_blanking(const Ping& ping, int beam, const RangeCells& cells, const s
 std::vector<float> edge_scores(const std::vector<float>& levels, const RangeCells& cells, int lead) {
   std::vector<float> scores(levels.size(), 0.0F);
   const RunningSums sums(levels);
+  const std::vector<double> behind = levels_behind(levels);
   LevelCounts before(levels);
   for (int cell = lead; cell + kLeastColumn < cells.count; ++cell) {
     if (cell - lead >= kLeastColumn) {
@@ -146,7 +168,9 @@ std::vector<float> edge_scores(const std::vector<float>& levels, const RangeCell
       const double step = (bright.mean - dark.mean - ramp) / (bright.deviation + dark.deviation + kLeastSpreadDb);
       if (step > 0) {
         const double empty = before.share_below((bright.mean + dark.mean) / 2);
-        scores[cell] = static_cast<float>((1 - std::exp(-step)) * empty * empty * empty);
+        const double faint = std::max(0.0, behind[cell] - bright.mean - kFaintDb);
+        scores[cell] =
+            static_cast<float>((1 - std::exp(-step)) * empty * empty * empty * std::exp(-faint / kFaintDecayDb));
       }
     }
     before.add(double{levels[cell]});

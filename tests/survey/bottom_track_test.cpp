@@ -132,6 +132,45 @@ TEST(BottomTrackTest, TheEndOfAShadowIsNotTheBottom) {
   expect_altitudes(track_bottom(pings, sonar));
 }
 
+// The sea surface at half the bed's range, 45 dB below the bed, in a silent column: a sharper edge than that of the
+// bed, which rises by 30 dB from nadir to the main lobe.
+TEST(BottomTrackTest, AFaintEchoOfTheSurfaceIsNotTheBottom) {
+  const SonarConfig sonar = side_scan_sonar();
+  std::vector<Ping> pings = line_of(sonar, 120, 105);
+  std::mt19937 random(5);
+  std::exponential_distribution<double> speckle(1);
+  for (Ping& ping : pings) {
+    const double own = altitude_at(static_cast<int>(ping.number)), surface = 0.5 * own;
+    for (int bin = 0; bin < sonar.bin_count; ++bin) {
+      const double range = sonar.bin_range(bin), gain = std::pow(range / own, 3);  // Time-varied, 30 log r.
+      for (int beam = 0; beam < sonar.beam_count; ++beam) {
+        float& intensity = ping.intensity[ping.index(bin, beam)];
+        const double echo = range >= surface ? std::pow(10, -4.5) * std::pow(surface / range, 3) * speckle(random) : 0;
+        const double lobe = std::pow(10, -3 * std::clamp((1.4 - range / own) / 0.4, 0.0, 1.0));
+        intensity = static_cast<float>((double{intensity} * lobe + echo) * gain);
+      }
+    }
+  }
+  expect_altitudes(track_bottom(pings, sonar));
+}
+
+// A bed that is 18 dB fainter at nadir than abeam, where the main lobe looks: its first return is still the bottom.
+TEST(BottomTrackTest, ABedBelowTheMainLobeIsTheBottom) {
+  const SonarConfig sonar = side_scan_sonar();
+  std::vector<Ping> pings = line_of(sonar, 120, 40);
+  for (Ping& ping : pings) {
+    const double own = altitude_at(static_cast<int>(ping.number));
+    for (int bin = 0; bin < sonar.bin_count; ++bin) {
+      const double range = sonar.bin_range(bin), lobe = range > 1.3 * own ? 1 : std::pow(10, -1.8);
+      const double gain = std::pow(range / own, 3);
+      for (int beam = 0; beam < sonar.beam_count; ++beam) {
+        ping.intensity[ping.index(bin, beam)] *= static_cast<float>(range >= own ? lobe * gain : gain);
+      }
+    }
+  }
+  expect_altitudes(track_bottom(pings, sonar));
+}
+
 // Ten pings of noise alone: the track goes on between those around them, and says that it guesses.
 TEST(BottomTrackTest, LostPingsAreBridged) {
   const SonarConfig sonar = side_scan_sonar();
