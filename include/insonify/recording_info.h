@@ -63,10 +63,11 @@ struct RecordingInfo {
   std::vector<RecordedSonar> sonars = {};
   std::vector<Marker> markers = {};
   std::vector<std::string> contents = {};  ///< Tables of an HDF5 file, topics of an MCAP file.
+  std::vector<std::string> notes = {};     ///< RecordedPings::notes() of each sonar of a foreign file, each once.
 };
 
 /// Reads .h5, .hdf5 and .mcap files recorded by insonify, also unfinished ones (with names in .new), and foreign
-/// recordings (recorded_pings.h), of whose several sonars the first.
+/// recordings (recorded_pings.h); `contents` of whose several sonars are those of the first.
 /// @throws Error with the path for anything else.
 [[nodiscard]] RecordingInfo recording_info(const std::filesystem::path& path);
 

@@ -5,11 +5,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstring>
 #include <vector>
 
 #include "insonify/error.h"
 #include "insonify/printable.h"
+#include "insonify/recorded_pings.h"
 #include "io/file/file_lock.h"
 #include "io/file/input_file.h"
 #include "io/mcap/mcap_metadata.h"
@@ -34,6 +36,39 @@ RecordingState state_of(const std::filesystem::path& path, const McapReader& fil
   return file.metadata().contains(mcap_metadata::kEnd) ? RecordingState::kDiskFull : state_of(path, file.is_whole());
 }
 
+RecordedSonar sonar_of(const RecordedTables& tables) {
+  RecordedSonar sonar{.config = tables.sonar_config(), .pings = tables.ping_count()};
+  const RecordedTable* const time = tables.find("time");
+  if (time != nullptr && time->type == "<f8" && sonar.pings > 0) {
+    std::memcpy(&sonar.first_time, tables.row(*time, 0).data(), sizeof(double));
+    std::memcpy(&sonar.last_time, tables.row(*time, sonar.pings - 1).data(), sizeof(double));
+  }
+  return sonar;
+}
+
+std::vector<std::string> texts_of(const RecordedTables& tables, const char* attribute) {
+  const auto found = tables.attributes().find(attribute);
+  return found != tables.attributes().end() && found->is_array() ? found->get<std::vector<std::string>>()
+                                                                 : std::vector<std::string>();
+}
+
+void add_notes(RecordingInfo& info, const RecordedTables& tables) {
+  for (const std::string& note : texts_of(tables, "notes")) {
+    if (std::ranges::find(info.notes, note) == info.notes.end()) {
+      info.notes.push_back(note);
+    }
+  }
+}
+
+// A foreign file's sonars, each by its name, so that no note says which was taken.
+void add_sonars(RecordingInfo& info, const std::filesystem::path& path, const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    const std::unique_ptr<RecordedTables> tables = open_strangers(path, name);
+    info.sonars.push_back(sonar_of(*tables));
+    add_notes(info, *tables);
+  }
+}
+
 RecordingInfo info_of_tables(const std::filesystem::path& path) {
   const std::unique_ptr<RecordedTables> opened = open_strangers(path);
   const RecordedTables& tables = *opened;
@@ -47,13 +82,8 @@ RecordingInfo info_of_tables(const std::filesystem::path& path) {
   if (const auto seed = tables.attributes().find("seed"); seed != tables.attributes().end() && seed->is_number()) {
     info.seed = seed->get<std::uint64_t>();
   }
-  RecordedSonar sonar{.config = tables.sonar_config(), .pings = tables.ping_count()};
   for (const RecordedTable& table : tables.tables()) {
     info.contents.push_back(table.name);
-    if (table.name == "time" && table.type == "<f8" && sonar.pings > 0) {
-      std::memcpy(&sonar.first_time, tables.row(table, 0).data(), sizeof(double));
-      std::memcpy(&sonar.last_time, tables.row(table, sonar.pings - 1).data(), sizeof(double));
-    }
   }
   for (const RecordedNames& names : tables.names()) {
     info.contents.push_back(names.name);
@@ -61,7 +91,13 @@ RecordingInfo info_of_tables(const std::filesystem::path& path) {
       info.markers = markers_from_texts(names.texts);
     }
   }
-  info.sonars.push_back(std::move(sonar));
+  if (const std::vector<std::string> names = texts_of(tables, "sonars");
+      is_foreign_recording(path) && names.size() > 1) {
+    add_sonars(info, path, names);
+  } else {
+    info.sonars.push_back(sonar_of(tables));
+    add_notes(info, tables);
+  }
   return info;
 }
 

@@ -69,6 +69,9 @@ void print(const std::filesystem::path& path, const RecordingInfo& info) {
   }
   const std::string contents = fmt::format("{}", fmt::join(info.contents, ", "));
   say("  holds {}\n", contents);
+  for (const std::string& note : info.notes) {
+    say("  note: {}\n", note);
+  }
 }
 
 // @return  Whether it is as it was written.
@@ -133,6 +136,7 @@ nlohmann::ordered_json json_of(const std::filesystem::path& path, const Recordin
     object["markers"].push_back(nlohmann::ordered_json::parse(marker_text(marker)));
   }
   object["contents"] = info.contents;
+  object["notes"] = info.notes;
   object["scenario"] = info.scenario;
   return object;
 }

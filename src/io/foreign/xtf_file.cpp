@@ -63,7 +63,7 @@ struct XtfPings {
   std::uint32_t samples = 0;              // The first ping's, as the next two.
   double slant_range = 0, frequency = 0;  // [m], [Hz]
   std::uint64_t other_shape = 0, without = 0, packets = 0;
-  std::optional<std::uint64_t> cut_at = {};
+  std::optional<std::uint64_t> cut_at = {};  // Where the last packet begins, if the file ends within it.
 };
 
 std::vector<XtfChannel> channels_of(const FileBytes& file) {
@@ -148,6 +148,16 @@ double xtf_time(std::span<const std::uint8_t> head) {
   return 86400 * days + 3600.0 * head[18] + 60.0 * head[19] + head[20] + head[21] / 100.0;
 }
 
+// Channels of the sonar that one belongs to: both sides, or it alone.
+std::vector<XtfChannel> partners_of(const XtfChannel& channel, const std::vector<XtfChannel>& channels) {
+  for (const XtfSonar& sonar : sonars_of(channels)) {
+    if (std::ranges::find(sonar.sides, channel.number, &XtfChannel::number) != sonar.sides.end()) {
+      return sonar.sides;
+    }
+  }
+  return {channel};
+}
+
 // Samples of a channel in a packet.
 struct XtfSamples {
   std::uint64_t at = 0;  // In the file; 0: the packet has none.
@@ -155,10 +165,16 @@ struct XtfSamples {
   double range = 0, frequency = 0;  // [m], [Hz]
 };
 
+// Samples in a sonar packet.
+struct XtfSides {
+  std::vector<XtfSamples> all;          // Of each side of the sonar.
+  std::vector<std::uint16_t> channels;  // Numbers of all side-scan channels that have samples.
+};
+
 // Finds the samples of each side in a sonar packet that lies whole in the file.
-std::vector<XtfSamples> samples_in(const FileBytes& file, std::uint64_t at, std::uint64_t size, int count,
-                                   const XtfSonar& sonar, const std::vector<XtfChannel>& channels) {
-  std::vector<XtfSamples> sides(sonar.sides.size());
+XtfSides samples_in(const FileBytes& file, std::uint64_t at, std::uint64_t size, int count, const XtfSonar& sonar,
+                    const std::vector<XtfChannel>& channels) {
+  XtfSides sides{std::vector<XtfSamples>(sonar.sides.size()), {}};
   std::uint64_t next = kPingHeader;
   for (int left = count; left > 0 && next + kChannelHeader <= size; --left) {
     const std::vector<std::uint8_t> of_channel = file.read(at + next, kChannelHeader, "a channel's header");
@@ -173,8 +189,11 @@ std::vector<XtfSamples> samples_in(const FileBytes& file, std::uint64_t at, std:
                                        bytes, size - next - kChannelHeader));
     }
     const auto side = std::ranges::find(sonar.sides, number, &XtfChannel::number);
+    if (!channels[number].name.empty() && samples > 0) {
+      sides.channels.push_back(number);
+    }
     if (side != sonar.sides.end() && samples > 0) {
-      sides[static_cast<std::size_t>(side - sonar.sides.begin())] = {
+      sides.all[static_cast<std::size_t>(side - sonar.sides.begin())] = {
           at + next + kChannelHeader, samples, double{xtf_number<float>(of_channel, 4)},
           1000.0 * xtf_number<std::uint16_t>(of_channel, 26)};
     }
@@ -183,13 +202,22 @@ std::vector<XtfSamples> samples_in(const FileBytes& file, std::uint64_t at, std:
   return sides;
 }
 
+// Whether a packet has samples of other sonars alone.
+bool is_of_another_sonar(const XtfSides& in_packet, const XtfSonar& sonar, const std::vector<XtfChannel>& channels) {
+  const std::vector<XtfChannel> own = partners_of(sonar.sides.front(), channels);
+  return !in_packet.channels.empty() && std::ranges::none_of(own, [&](const XtfChannel& channel) {
+    return std::ranges::find(in_packet.channels, channel.number) != in_packet.channels.end();
+  });
+}
+
 // Takes a sonar packet as a ping if it has every side, of the range and length of the first ping.
 void take_packet(const FileBytes& file, std::uint64_t at, std::uint64_t size, const XtfSonar& sonar,
                  const std::vector<XtfChannel>& channels, XtfPings& found) {
   const std::vector<std::uint8_t> head = file.read(at, kPingHeader, "a ping's header");
-  const std::vector<XtfSamples> sides = samples_in(file, at, size, xtf_number<std::uint16_t>(head, 4), sonar, channels);
+  const XtfSides in_packet = samples_in(file, at, size, xtf_number<std::uint16_t>(head, 4), sonar, channels);
+  const std::vector<XtfSamples>& sides = in_packet.all;
   if (std::ranges::any_of(sides, [](const XtfSamples& side) { return side.count == 0; })) {
-    ++found.without;
+    found.without += is_of_another_sonar(in_packet, sonar, channels) ? 0 : 1;
     return;
   }
   if (found.all.empty()) {
@@ -340,7 +368,8 @@ std::unique_ptr<ForeignTables> open_xtf(const std::filesystem::path& path, const
                              sonar.sides.size() == 2 ? "both sides" : sonar.name));
   }
   if (found->cut_at) {
-    tables->note(fmt::format("the last packet, at byte {}, is cut off and left out", *found->cut_at));
+    tables->note(fmt::format("the file is cut off: its last {} bytes, from byte {} on, are not a whole packet",
+                             file->size() - *found->cut_at, *found->cut_at));
   }
   return tables;
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <span>
 
+#include "insonify/recording_info.h"
 #include "insonify/stored_tables.h"
 #include "io/foreign/foreign_bytes.h"
 
@@ -88,9 +89,11 @@ TEST(XtfFileTest, OtherRangesAndACutEndAreTold) {
   folder.write("a.xtf", whole + xtf_packet(kPing).substr(0, 300));
   const RecordedPings pings("a.xtf", "port");
   EXPECT_EQ(pings.ping_count(), 1U);
-  EXPECT_THAT(pings.notes(),
-              ElementsAre("1 ping of another range or number of samples than the first left out",
-                          fmt::format("the last packet, at byte {}, is cut off and left out", whole.size())));
+  EXPECT_THAT(
+      pings.notes(),
+      ElementsAre("1 ping of another range or number of samples than the first left out",
+                  fmt::format("the file is cut off: its last 300 bytes, from byte {} on, are not a whole packet",
+                              whole.size())));
 }
 
 TEST(XtfFileTest, WrongFilesAreOneMessage) {
@@ -183,6 +186,33 @@ TEST(XtfFileTest, PingsThatLackASideAreTold) {
   EXPECT_EQ(RecordedPings("a.xtf").ping_count(), 1U);
   EXPECT_THAT(RecordedPings("a.xtf").notes(), ElementsAre("1 ping without samples of both sides left out"));
   EXPECT_EQ(RecordedPings("a.xtf", "port").ping_count(), 2U);
+}
+
+// Channels 0 and 1 are one sonar, 2 and 3 another, which ping in turn: neither lacks the other's pings.
+TEST(XtfFileTest, PingsOfAnotherSonarAreNotMissing) {
+  const WorkingFolder folder;
+  std::string header = xtf_header(kPing);
+  header.replace(256 + 2 * 128, 2 * 128, header.substr(256, 2 * 128));
+  std::string second = xtf_packet(kPing);
+  second[256] = 2;
+  second[256 + 64 + static_cast<int>(kPing.port.size())] = 3;
+  folder.write("a.xtf", header + xtf_packet(kPing) + second + xtf_packet(kPing));
+  EXPECT_THAT(RecordedPings("a.xtf", "side_scan").notes(), ElementsAre());
+  EXPECT_EQ(RecordedPings("a.xtf", "side_scan").ping_count(), 2U);
+  EXPECT_THAT(RecordedPings("a.xtf", "side_scan2").notes(), ElementsAre());
+  EXPECT_EQ(RecordedPings("a.xtf", "side_scan2").ping_count(), 1U);
+  EXPECT_THAT(RecordedPings("a.xtf").notes(),
+              ElementsAre("has side_scan, side_scan2; side_scan is taken, --sonar takes another"));
+  const RecordingInfo info = recording_info("a.xtf");
+  ASSERT_EQ(info.sonars.size(), 2U);
+  EXPECT_EQ(info.sonars[0].config.name, "side_scan");
+  EXPECT_EQ(info.sonars[1].config.name, "side_scan2");
+  EXPECT_EQ(info.sonars[1].pings, 1U);
+  EXPECT_THAT(info.notes, ElementsAre());
+  folder.write("cut.xtf", header + xtf_packet(kPing) + second + "\xce\xfa");
+  EXPECT_THAT(recording_info("cut.xtf").notes,
+              ElementsAre(fmt::format("the file is cut off: its last 2 bytes, from byte {} on, are not a whole packet",
+                                      1024 + xtf_packet(kPing).size() + second.size())));
 }
 
 // By WGS84 a degree of latitude has 111 199 m at 48.4457 degrees, one of longitude 73 980 m; the last ping is
