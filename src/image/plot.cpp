@@ -93,9 +93,14 @@ void draw_plot_frame(Picture& picture, const PlotLayout& plot, const PlotAxes& a
       lettering.draw(picture, {x, y}, axes.across[i].text, palette::kText);
     }
   }
+  double last_label = std::numeric_limits<double>::infinity();
   for (const AxisTick& tick : axes.up) {
     const double y = between(plot.bottom, plot.top, tick.place);
     draw_line(picture, {plot.left - tick_length, y}, {plot.left - line, y}, line, palette::kText);
+    if (last_label - y < lettering.height()) {
+      continue;  // It would lie over the label below.
+    }
+    last_label = y;
     lettering.draw(picture, {plot.left - tick_length - kTextGap * em, y}, tick.text, palette::kText, Anchor::kEnd);
   }
   const double left = plot.left - half;

@@ -23,9 +23,11 @@ namespace {
 class Along {
  public:
   Along(const std::deque<Ping>& pings, const SonarConfig& sonar, const WaterfallOptions& options)
-      : distances_(distances_along(pings)), to_scale_(options.to_scale) {
-    const auto count = static_cast<double>(pings.size());
-    length_ = count > 1 ? distances_.back() * count / (count - 1) : 0;
+      : distances_(distances_along(pings)),
+        by_distance_(options.along == AlongTrack::kDistance),
+        to_scale_(options.to_scale) {
+    usual_step_ = usual_step(distances_);
+    length_ = distances_.back() + usual_step_;
     if (to_scale_ && !(length_ > 0)) {
       throw Error(fmt::format("{}: to scale needs a sonar that has moved along its track", sonar.name));
     }
@@ -37,6 +39,15 @@ class Along {
   }
 
   [[nodiscard]] double length() const { return length_; }  // [m]
+
+  // Whether a share of the axis lies where the vehicle has jumped, as between the lines of a survey that pauses on
+  // turns.
+  [[nodiscard]] bool is_gap(double place) const {
+    constexpr double kJump = 5;  // Usual steps.
+    const std::size_t ping = ping_at(place);
+    return to_scale_ && ping + 1 < distances_.size() && distances_[ping + 1] - distances_[ping] > kJump * usual_step_ &&
+           place * length_ > distances_[ping] + usual_step_;
+  }
 
   // The ping at a share of the axis.
   [[nodiscard]] std::size_t ping_at(double place) const {
@@ -57,6 +68,7 @@ class Along {
     constexpr int kMostParts = 8;
     std::vector<AxisTick> ticks;
     const double window = values_.back() - values_.front();
+    std::size_t last = distances_.size();
     if (!(window > 0)) {
       return {{place_of(0), number_text(values_.front()), true}};
     }
@@ -64,14 +76,33 @@ class Along {
       const auto next = std::ranges::lower_bound(values_, value * (1 - 1e-12));
       const auto ping =
           static_cast<std::size_t>(std::min(next - values_.begin(), static_cast<std::ptrdiff_t>(values_.size()) - 1));
-      ticks.push_back({place_of(ping), fmt::format("{:.12g}", value + 0.0), ticks.empty()});
+      if (by_distance_ && to_scale_) {
+        ticks.push_back({value / length_, fmt::format("{:.12g}", value + 0.0), ticks.empty()});
+      } else if (ping != last) {  // Of values that were jumped over the first.
+        ticks.push_back({place_of(ping), fmt::format("{:.12g}", value + 0.0), ticks.empty()});
+      }
+      last = ping;
     }
     return ticks;
   }
 
  private:
+  // Median of the steps that moved [m]; 0 without.
+  static double usual_step(const std::vector<double>& distances) {
+    std::vector<double> steps;
+    for (std::size_t ping = 1; ping < distances.size(); ++ping) {
+      if (distances[ping] > distances[ping - 1]) {
+        steps.push_back(distances[ping] - distances[ping - 1]);
+      }
+    }
+    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+    std::ranges::nth_element(steps, middle);
+    return steps.empty() ? 0 : *middle;
+  }
+
   std::vector<double> distances_, values_;
-  double length_ = 0;
+  double length_ = 0, usual_step_ = 0;  // [m]
+  bool by_distance_;
   bool to_scale_;
 };
 
@@ -116,7 +147,8 @@ void draw_altitudes(Picture& picture, const PlotLayout& plot, const WaterfallRow
     const int sign = side == 0 && rows.port_cells > 0 ? -1 : 1;
     double last = std::nan("");
     for (int y = 0; y < height; ++y) {
-      const double range = rows.first_return[along.ping_at(1 - (y + 0.5) / height) * sides + side];
+      const double place = 1 - (y + 0.5) / height;
+      const double range = along.is_gap(place) ? std::nan("") : rows.first_return[along.ping_at(place) * sides + side];
       const double x =
           plot.left + (rows.port_cells + sign * range / rows.cell) / rows.cells() * (plot.right - plot.left);
       if (!std::isnan(last) && !std::isnan(x)) {
@@ -192,7 +224,8 @@ Picture Waterfall::draw(const Display& display) const {
           return mean_of_cells(row, x * step, (x + 1) * step);
         });
         for (int i = 0; i < steps; ++i) {
-          profile[i] = means[along.ping_at((i + 0.5) / steps)];
+          const double place = (i + 0.5) / steps;
+          profile[i] = along.is_gap(place) ? std::numeric_limits<float>::quiet_NaN() : means[along.ping_at(place)];
         }
         return std::span<const float>(profile);
       },

@@ -92,6 +92,34 @@ TEST(WaterfallTest, ToScaleHeightFollowsFromTheWay) {
   }
 }
 
+// Bright pings 1 m apart, at 0 to 9 m and 60 to 69 m: in 70 m of 280 pixels, 4 a metre, the jump is empty.
+TEST(WaterfallTest, ToScaleAJumpIsAGap) {
+  const SonarConfig sonar = small_sonar();
+  Display display = bare();
+  display.pixel_per_bin = false;
+  display.height = 240;
+  for (const bool jumps : {true, false}) {
+    Waterfall waterfall(sonar, {.to_scale = true, .along = AlongTrack::kDistance});
+    for (int i = 0; i < (jumps ? 20 : 70); ++i) {
+      Ping ping = ping_at(sonar, i, jumps && i >= 10 ? i + 50 : i);
+      std::ranges::fill(ping.intensity, 1.0F);
+      waterfall.add(ping);
+    }
+    const Picture picture = waterfall.draw(display);
+    const int height = picture.height;
+    const auto at = [&](double metres) {
+      return is_bright(picture, 40, height - 1 - static_cast<int>(metres / 70 * height));
+    };
+    EXPECT_TRUE(at(5));
+    EXPECT_TRUE(at(9.5));
+    EXPECT_EQ(at(11), !jumps);
+    EXPECT_EQ(at(35), !jumps);
+    EXPECT_EQ(at(58), !jumps);
+    EXPECT_TRUE(at(61));
+    EXPECT_TRUE(at(66));
+  }
+}
+
 TEST(WaterfallTest, KeepsTheLastPingsIfAsked) {
   const SonarConfig sonar = small_sonar();
   Waterfall waterfall(sonar, {}, 2);
