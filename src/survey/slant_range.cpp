@@ -61,6 +61,13 @@ double degrees_below(double slant, double altitude) {
   return degrees_from_radians(std::asin(std::min(1.0, altitude / slant)));
 }
 
+// Steps of 0.1 dB; silence lies below all others.
+int level_step(float intensity) {
+  constexpr double kStepsPerDecade = 100;
+  return intensity > 0 ? static_cast<int>(std::floor(kStepsPerDecade * std::log10(double{intensity})))
+                       : std::numeric_limits<int>::min();
+}
+
 }  // namespace
 
 double ground_range(double slant_range, double altitude) {
@@ -90,6 +97,7 @@ std::vector<float> slant_to_ground(const Ping& ping, const SonarConfig& sonar, d
 
 void AngleGain::add(const Ping& ping, const SonarConfig& sonar, double altitude) {
   const double height = in_plane(altitude, ping, sonar);
+  means_.clear();
   for (int bin = 0; bin < ping.bin_count; ++bin) {
     if (sonar.bin_range(bin) < height) {
       continue;
@@ -99,28 +107,49 @@ void AngleGain::add(const Ping& ping, const SonarConfig& sonar, double altitude)
       const float value = ping.intensity[ping.index(bin, beam)];
       if (std::isfinite(value)) {
         Class& at = sides_[beam][std::min(static_cast<std::size_t>(degrees), sides_[beam].size() - 1)];
-        at.sum += double{value};
+        for (Step* step : {&at.all, &at.steps[level_step(value)]}) {
+          step->sum += double{value};
+          step->count += 1;
+        }
         at.degrees += degrees;
-        at.count += 1;
       }
     }
   }
 }
 
-std::vector<AngleGain::Mean> AngleGain::means_of(const Side& side) {
-  std::vector<Mean> means;
-  for (const Class& at : side) {
-    if (at.sum > 0) {
-      means.push_back({at.degrees / at.count, at.sum / at.count});
+// Mean of the middle half; where that is silent, as of small counts, of all.
+double AngleGain::usual_of(const Class& bins) {
+  double sum = 0, count = 0, before = 0;
+  const double begin = 0.25 * bins.all.count, end = 0.75 * bins.all.count;
+  for (const auto& [level, step] : bins.steps) {
+    const double inside = std::min(end, before + step.count) - std::max(begin, before);
+    if (inside > 0) {
+      sum += inside * step.sum / step.count;
+      count += inside;
+    }
+    before += step.count;
+  }
+  return sum > 0 ? sum / count : bins.all.sum / bins.all.count;
+}
+
+const std::vector<std::vector<AngleGain::Mean>>& AngleGain::means() const {
+  if (means_.empty()) {
+    for (const Side& side : sides_) {
+      std::vector<Mean>& means = means_.emplace_back();
+      for (const Class& at : side) {
+        if (at.all.sum > 0) {
+          means.push_back({at.degrees / at.all.count, usual_of(at)});
+        }
+      }
     }
   }
-  return means;
+  return means_;
 }
 
 double AngleGain::mean_of_all() const {
   double sum = 0, count = 0;
-  for (const Side& side : sides_) {
-    for (const Mean& at : means_of(side)) {
+  for (const std::vector<Mean>& side : means()) {
+    for (const Mean& at : side) {
       sum += at.level;
       count += 1;
     }
@@ -131,7 +160,7 @@ double AngleGain::mean_of_all() const {
 Ping AngleGain::applied(Ping ping, const SonarConfig& sonar, double altitude) const {
   const double height = in_plane(altitude, ping, sonar), all = mean_of_all();
   for (int beam = 0; beam < ping.beam_count; ++beam) {
-    const std::vector<Mean> means = means_of(sides_[beam]);
+    const std::vector<Mean>& means = this->means()[beam];
     if (means.empty()) {
       continue;
     }

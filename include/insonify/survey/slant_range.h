@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -35,9 +36,10 @@ struct GroundGrid {
 [[nodiscard]] std::vector<float> slant_to_ground(const Ping& ping, const SonarConfig& sonar, double altitude,
                                                  const GroundGrid& grid);
 
-/// Removes the dependence of levels on the angle to the bed: the mean intensity at each angle below the horizontal, of
+/// Removes the dependence of levels on the angle to the bed: the usual intensity at each angle below the horizontal, of
 /// each side, over a line. It takes beam pattern and backscatter by angle out together, and with a steady altitude what
-/// is left of the loss with range. Means over angles of the bed itself: a line over objects alone would lose them.
+/// is left of the loss with range. Usual is the mean of the middle half of the intensities at an angle, so that objects
+/// and shadows in less than a quarter of the line do not count: they would leave a stripe at their angle.
 class AngleGain {
  public:
   explicit AngleGain(int beam_count) : sides_(static_cast<std::size_t>(beam_count)) {}
@@ -46,24 +48,29 @@ class AngleGain {
   /// @throws Error as slant_to_ground().
   void add(const Ping& ping, const SonarConfig& sonar, double altitude);
 
-  /// The ping with each intensity divided by the mean at its angle, interpolated, times the mean of all angles of both
-  /// sides, which so become equally bright. Bins of the water column are treated as straight below.
+  /// The ping with each intensity divided by the usual one at its angle, interpolated, times the mean of those of all
+  /// angles of both sides, which so become equally bright. Bins of the water column are treated as straight below.
   [[nodiscard]] Ping applied(Ping ping, const SonarConfig& sonar, double altitude) const;
 
  private:
+  struct Step {
+    double sum = 0, count = 0;  // Intensities, and their number.
+  };
   struct Class {
-    double sum = 0;      // Intensities of its bins.
-    double degrees = 0;  // Their angles below the horizontal [deg].
-    double count = 0;    // Number of bins.
+    std::map<int, Step> steps;  // By level, in steps of 0.1 dB.
+    Step all;
+    double degrees = 0;  // Sum of the angles of its bins below the horizontal [deg].
   };
   using Side = std::array<Class, 90>;  // By degrees below the horizontal.
   struct Mean {
     double degrees = 0, level = 0;
   };
-  static std::vector<Mean> means_of(const Side& side);
+  static double usual_of(const Class& bins);
+  [[nodiscard]] const std::vector<std::vector<Mean>>& means() const;
   [[nodiscard]] double mean_of_all() const;
 
   std::vector<Side> sides_;
+  mutable std::vector<std::vector<Mean>> means_;  // [side] Made when first asked for after an add().
 };
 
 }  // namespace insonify
