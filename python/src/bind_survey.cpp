@@ -146,7 +146,9 @@ void bind_mosaic(py::module_& m) {
   py::class_<Mosaic> mosaic(m, "Mosaic", "The bed seen from above: arrays [rows, columns], rows from the north.");
   mosaic.def_readonly("west", &Mosaic::west, "x of the upper left corner [m].")
       .def_readonly("north", &Mosaic::north, "y of the upper left corner [m].")
-      .def_readonly("cell", &Mosaic::cell, "Side of a cell [m].");
+      .def_readonly("cell", &Mosaic::cell, "Side of a cell [m].")
+      .def_readonly("line_count", &Mosaic::line_count,
+                    "Lines laid: those given, and one more for each of their pauses.");
   const auto add = [&](const char* name, auto member, const char* help) {
     mosaic.def_property_readonly(
         name,
@@ -159,7 +161,7 @@ void bind_mosaic(py::module_& m) {
   };
   add("intensity", &Mosaic::intensity, "Echo intensity, float32; NaN: not seen.");
   add("angle", &Mosaic::angle, "Angle below the horizontal at which a cell was seen [rad], float32; NaN: not seen.");
-  add("line", &Mosaic::line, "Index of the line that is shown, uint16; NO_LABEL: none.");
+  add("line", &Mosaic::line, "Line that is shown, below line_count, uint16; NO_LABEL: none.");
   add("instance", &Mosaic::instance, "Ground truth, uint16; NO_LABEL: none. None without.");
   m.def(
       "make_mosaic",

@@ -231,6 +231,10 @@ LinePlan plan_of(const MosaicLine& line, const MosaicOptions& options) {
   }
   plan.altitudes = line.altitudes.empty() ? usable_altitudes(tracker.finish().altitude, line.sonar)
                                           : altitudes_for_all(line.altitudes, plan.places.size(), line.sonar);
+  if (const double least = std::ranges::min(plan.altitudes); least >= line.sonar.max_range) {
+    throw Error(fmt::format("{}: no bin reaches the bed: its altitude is {:.6g} m, its ranges end at {:.6g} m",
+                            line.sonar.name, least, line.sonar.max_range));
+  }
   return plan;
 }
 
@@ -252,6 +256,10 @@ Mosaic grid_around(std::span<const MosaicLine> lines, const std::vector<LinePlan
     throw Error(fmt::format("a mosaic of {:.0f} m x {:.0f} m with cells of {} m has {:.3g} of them; the most is {:.0e}",
                             high.x() - low.x(), high.y() - low.y(), mosaic.cell, area / (mosaic.cell * mosaic.cell),
                             kMostCells));
+  }
+  if (const double most = std::min(high.x() - low.x(), high.y() - low.y()) / 2; mosaic.cell > most) {
+    throw Error(fmt::format("cell = {:.6g} m must be at most {:.4g} m, half of the shorter side of {:.4g} m x {:.4g} m",
+                            mosaic.cell, most, high.x() - low.x(), high.y() - low.y()));
   }
   mosaic.west = std::floor(low.x() / mosaic.cell) * mosaic.cell;
   mosaic.north = std::ceil(high.y() / mosaic.cell) * mosaic.cell;
@@ -302,7 +310,10 @@ Mosaic make_mosaic(std::span<const MosaicLine> lines, const MosaicOptions& optio
   std::vector<float> counts(cells);
   for (std::size_t line = 0; line < lines.size(); ++line) {
     lay_line(lines[line], plans[line], options.normalised, mosaic, [&](const LineGrid& grid) {
-      merge(mosaic, grid, static_cast<std::uint16_t>(line), options.rule, counts);
+      if (mosaic.line_count >= kNoLabel) {
+        throw Error(fmt::format("a mosaic has more than {} lines, with those after pauses", mosaic.line_count));
+      }
+      merge(mosaic, grid, static_cast<std::uint16_t>(mosaic.line_count++), options.rule, counts);
     });
   }
   return mosaic;

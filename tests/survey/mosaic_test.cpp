@@ -132,6 +132,13 @@ TEST(MosaicTest, OfTwoPassesTheBestIsShownToo) {
   };
   EXPECT_NEAR(level_at(12), 4, 1e-3);
   EXPECT_NEAR(level_at(18), 1, 1e-3);
+  const auto line_at = [&](double x) {
+    return mosaic.line[mosaic.index(static_cast<int>((x - mosaic.west) / mosaic.cell),
+                                    static_cast<int>((mosaic.north - 5) / mosaic.cell))];
+  };
+  EXPECT_EQ(mosaic.line_count, 2);
+  EXPECT_EQ(line_at(12), 0);
+  EXPECT_EQ(line_at(18), 1);
 }
 
 // A beam of 6 degrees is 0.105 r wide: 1.36 m at 13 m, 4.08 m at 39 m; within two cells of 5 cm.
@@ -245,6 +252,19 @@ TEST(MosaicTest, BadInputIsRefused) {
               (void)make_mosaic(std::array{line_of(sonar, ping, 2, 1e6, {0, 0, 0}, 0, 5)}, {.cell = 0.1});
             }),
             "a mosaic of 80 m x 1000080 m with cells of 0.1 m has 8e+09 of them; the most is 1e+08");
+}
+
+TEST(MosaicTest, ABedOutOfReachAndCellsAsLargeAsTheChartAreRefused) {
+  const SonarConfig sonar = side_scan_sonar();
+  const Ping ping = dark_ping(sonar);
+  EXPECT_EQ(message_of([&] {
+              (void)make_mosaic(std::array{line_of(sonar, ping, 1, 0, {0, 0, 0}, 0, 100)});
+            }),
+            "sss: no bin reaches the bed: its altitude is 100 m, its ranges end at 40 m");
+  EXPECT_EQ(message_of([&] {
+              (void)make_mosaic(std::array{line_of(sonar, ping, 21, 1, {0, 0, 0}, 0, 5)}, {.cell = 1000});
+            }),
+            "cell = 1000 m must be at most 40 m, half of the shorter side of 80 m x 100 m");
 }
 
 }  // namespace

@@ -48,11 +48,12 @@ struct Mosaic {
   double west = 0, north = 0;  ///< World coordinates of the upper left corner [m].
   double cell = 0;             ///< Side of a cell [m].
   int columns = 0, rows = 0;
+  int line_count = 0;  ///< Lines laid: those given, and one more for each of their pauses.
 
   // [row * columns + column], rows from the north.
   std::vector<float> intensity;         ///< NaN: not insonified.
   std::vector<float> angle;             ///< Angle below the horizontal at which the cell was seen [rad]; NaN.
-  std::vector<std::uint16_t> line;      ///< Index of the line shown; kNoLabel: none.
+  std::vector<std::uint16_t> line;      ///< Line shown, below line_count, in order; kNoLabel: none.
   std::vector<std::uint16_t> instance;  ///< Ground truth: label of the strongest weight; kNoLabel: none. Empty without.
 
   [[nodiscard]] std::size_t index(int column, int row) const {
@@ -64,8 +65,9 @@ struct Mosaic {
 /// along it the beam's width times the range, at least the way to the next ping; pings count in a cell by how near its
 /// middle is to theirs. Poses give place, heading and pitch; roll does not move an echo, whose place follows from its
 /// range.
-/// @throws Error without a line or a ping; as BottomTracker and slant_to_ground(); for a grid of more than 100 million
-///         cells.
+/// @throws Error without a line or a ping; as BottomTracker and slant_to_ground(); for a line none of whose bins
+/// reaches
+///         the bed; for a grid of more than 100 million cells, and for cells larger than half of its shorter side.
 [[nodiscard]] Mosaic make_mosaic(std::span<const MosaicLine> lines, const MosaicOptions& options = {});
 
 }  // namespace insonify
