@@ -33,12 +33,18 @@ struct MosaicCommand {
 
 // A recording that is open, as a line.
 struct OpenLine {
-  OpenLine(const std::filesystem::path& file, const std::string& sonar) : pings(file, sonar), tables(file, sonar) {
+  OpenLine(std::filesystem::path path, const std::string& sonar)
+      : file(std::move(path)), pings(file, sonar), tables(file, sonar) {
     labels = tables.find("instance");
   }
 
   [[nodiscard]] Ping ping(std::uint64_t number) const {
     Ping ping = pings.ping(number);
+    if (own && chart) {
+      const double height = ping.world_from_sonar.position.z();
+      ping.world_from_sonar.position = chart->local(own->geographic(ping.world_from_sonar.position));
+      ping.world_from_sonar.position.z() = height;
+    }
     if (labels != nullptr) {
       ping.instance.resize(ping.intensity.size());
       const std::array<TableSlice, 3> slices{{{number, 1}, {0, labels->shape.at(1)}, {0, labels->shape.at(2)}}};
@@ -49,9 +55,19 @@ struct OpenLine {
 
   [[nodiscard]] bool is_foreign() const { return pings.model().empty() && !pings.foreign_format().empty(); }
 
+  // What its intensities are: they share a scale of colours with others of their kind alone.
+  [[nodiscard]] std::string kind() const {
+    return !is_foreign()
+               ? pings.model() == "paper" ? "levels of the paper's model" : "intensities (dB re source at 1 m)"
+           : pings.has_integers() ? fmt::format("counts from 0 to {:.0f}", pings.full_scale())
+                                  : "numbers of its own";
+  }
+
+  std::filesystem::path file;
   RecordedPings pings;
   StoredTables tables;
   const StoredTable* labels = nullptr;
+  std::optional<LocalGrid> own, chart;  // Its world and the chart's on the Earth, where both are known.
 };
 
 // What the cells lie on the Earth by: the option, else what the first file says.
@@ -62,6 +78,45 @@ std::optional<GeographicPoint> origin_of(const MosaicCommand& options, const std
     check_origin(*origin);
   }
   return origin;
+}
+
+void check_kinds(const std::vector<OpenLine>& lines) {
+  for (const OpenLine& line : lines) {
+    if (line.kind() != lines.front().kind()) {
+      throw InputError(fmt::format("{} has {}, {} has {}: they cannot share a chart", lines.front().file.string(),
+                                   lines.front().kind(), line.file.string(), line.kind()));
+    }
+  }
+}
+
+// Lays lines that say where they are on the Earth into the chart's world, that of `origin`.
+void place_lines(const MosaicCommand& options, std::vector<OpenLine>& lines,
+                 const std::optional<GeographicPoint>& origin) {
+  const auto knows = [](const OpenLine& line) { return line.pings.origin().has_value(); };
+  const auto unknown = std::ranges::find_if_not(lines, knows), known = std::ranges::find_if(lines, knows);
+  if (options.origin.empty() && unknown != lines.end() && known != lines.end()) {
+    throw InputError(fmt::format("{} says where it lies on the Earth, {} does not: --origin LAT,LON says it",
+                                 known->file.string(), unknown->file.string()));
+  }
+  for (OpenLine& line : lines) {
+    if (const std::optional<GeographicPoint> own = line.pings.origin(); own && origin) {
+      line.own.emplace(*own);
+      line.chart.emplace(*origin);
+    } else if (line.is_foreign() && lines.size() > 1) {
+      complain(
+          fmt::format("note: {}: its places begin at its first ping; where that lies in the other recordings is "
+                      "not known",
+                      line.file.string()));
+    }
+  }
+}
+
+void tell_notes(const std::vector<OpenLine>& lines) {
+  for (const OpenLine& line : lines) {
+    for (const std::string& note : line.pings.notes()) {
+      complain(fmt::format("note: {}: {}", line.file.string(), note));
+    }
+  }
 }
 
 PictureStyle style_of(const MosaicCommand& options, const OpenLine& line) {
@@ -145,9 +200,15 @@ void write_world_file(const Mosaic& mosaic, const std::filesystem::path& picture
 
 int mosaic_command(const MosaicCommand& options) {
   refuse_existing(options);
-  const std::vector<OpenLine> lines = open_lines(options);
+  std::vector<OpenLine> lines = open_lines(options);
+  check_kinds(lines);
   PictureStyle style = checked_input([&] { return style_of(options, lines.front()); });
   const std::optional<GeographicPoint> origin = checked_input([&] { return origin_of(options, lines); });
+  checked_input([&] {
+    place_lines(options, lines, origin);
+    tell_notes(lines);
+    return kDone;
+  });
   const Mosaic mosaic = mosaic_of(options, lines, style.display.raised_per_decade);
   if (!style.fixed_levels) {
     style.display.full_scale = fitting_full_scale(mosaic);
@@ -158,7 +219,8 @@ int mosaic_command(const MosaicCommand& options) {
   }
   const MosaicTitle title{
       options.recordings.front().stem().string(),
-      fmt::format("{}   {}   cells of {:.3g} m", counted(lines.size(), "line"), counted(pings, "ping"), mosaic.cell),
+      fmt::format("{}   {}   cells of {:.3g} m", counted(static_cast<std::uint64_t>(mosaic.line_count), "line"),
+                  counted(pings, "ping"), mosaic.cell),
       lines.front().tables.texts("instance_names")};
   write_png(options.file, draw_mosaic(mosaic, title, style.display));
   say("{}\n", options.file.string());
@@ -191,9 +253,11 @@ void add_mosaic(const Command& program) {
       "--rule", "NAME", &options.rule,
       "Which of several lines a cell shows: best (angle to the bed nearest to 30 degrees), latest or mean [best]",
       one_of({"best", "latest", "mean"}));
-  command.option("--origin", "LAT,LON", &options.origin,
-                 "Place of the world's origin on the Earth, for GeoTIFF and world files [what the first file says]",
-                 origin());
+  command.option(
+      "--origin", "LAT,LON", &options.origin,
+      "Place of the chart's origin on the Earth, and of recordings that do not say theirs [what the first file "
+      "says]",
+      origin());
   command.flag("-f,--force", &options.force, "Replace existing files");
   add_line_options(command, options.line);
   add_picture_options(command.under("Pictures"), options.pictures);
