@@ -51,6 +51,42 @@ TEST_F(SurveyCliTest, PlanIsDrawn) {
   EXPECT_THAT(outcome.out, ContainsRegex("\nplan.png\n +0 +0 +1 +44\n"));  // 300 = 256 + 44.
 }
 
+TEST_F(SurveyCliTest, PlanIsAPng) {
+  const Outcome outcome = shell("insonify survey plan survey.yaml -o plan.jpg");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.err, "insonify: --output plan.jpg: must end in .png\n");
+  EXPECT_FALSE(std::filesystem::exists("plan.jpg"));
+}
+
+// A side-scan's line and its export as XTF: intensities and counts have no scale in common.
+TEST_F(SurveyCliTest, WhatHasNoEffectOrCannotShareAChartIsTold) {
+  folder.write("fan.yaml", "world: floor.obj\npings: 1\nsonars: [{name: fls, beam_count: 8, bin_count: 10}]\n");
+  ASSERT_EQ(shell("insonify run survey.yaml -o a --no-pictures && insonify run fan.yaml -o f --no-pictures && "
+                  "insonify export a/side.h5 -o a.xtf")
+                .status,
+            0);
+  const auto told = [](const std::string& line, int status) {
+    const Outcome outcome = shell(line);
+    EXPECT_EQ(outcome.status, status) << line;
+    return outcome.err;
+  };
+  EXPECT_EQ(told("insonify mosaic a/side.h5 a.xtf -o m.png", 2),
+            "insonify: a/side.h5 has intensities (dB re source at 1 m), a.xtf has counts from 0 to 65535: they cannot "
+            "share a chart\n");
+  EXPECT_THAT(
+      told("insonify mosaic a.xtf a.xtf -o m.png", 0),
+      HasSubstr("note: a.xtf: its places begin at its first ping; where that lies in the other recordings is not "
+                "known\n"));
+  EXPECT_EQ(told("insonify draw f/fls.h5 -o d --corrected", 2),
+            "insonify: --corrected has no effect on fls, only on waterfalls of side-scan sonars\n");
+  EXPECT_EQ(told("insonify draw f/fls.h5 -o d --along distance", 2),
+            "insonify: --along has no effect on fls, only on waterfalls of side-scan sonars\n");
+  EXPECT_EQ(told("insonify draw a/side.h5 -o d --pictures 3", 0),
+            "insonify: note: --pictures 3 has no effect on side: a waterfall shows all pings; --ping chooses them\n");
+  EXPECT_EQ(told("insonify compare a/side.h5 a/side.h5 --ping 3", 2),
+            "insonify: a/side.h5: its pings are columns of one picture, which needs 11: compare all, without --ping\n");
+}
+
 TEST_F(SurveyCliTest, PlanWarnsOfGapsBetweenSwaths) {
   const std::string wide = "--set pattern.lines.spacing=10 --set pattern.lines.width=20";
   EXPECT_EQ(shell("insonify survey plan survey.yaml " + wide).err,

@@ -69,6 +69,17 @@ Display levels_of(const CompareOptions& options, const CompareSource& a, const C
   return display;
 }
 
+// Pings of a side-scan are columns of one picture, which must be as wide as SSIM's window.
+void check_columns(const CompareSource& a, const CompareSource& b, const std::vector<std::uint64_t>& wanted) {
+  constexpr std::size_t kWindow = 11;
+  for (const CompareSource* source : {&a, &b}) {
+    if (source->is_scan() && !wanted.empty() && wanted.size() * source->beam_count() < kWindow) {
+      throw Error(fmt::format("{}: its pings are columns of one picture, which needs {}: compare all, without --ping",
+                              source->name(), kWindow));
+    }
+  }
+}
+
 std::string unmatched(const CompareSource& a, const CompareSource& b) {
   if (!a.is_recording() || !b.is_recording() || a.ping_count() == b.ping_count()) {
     return "";
@@ -194,6 +205,7 @@ Comparison compared(const CompareOptions& options) {
     }
     tally.add(a.picture(0), b.picture(0));
   } else {
+    check_columns(a, b, options.pings);
     comparison.pings = chosen_pings(a, b, options.pings);
     comparison.unmatched = options.pings.empty() ? unmatched(a, b) : "";
     comparison.differing = differing(a, b);

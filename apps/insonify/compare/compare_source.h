@@ -48,6 +48,9 @@ class CompareSource {
   [[nodiscard]] std::vector<std::string> notes() const;
   /// Whether its pings are compared together: those of a single beam, and of both sides of a side-scan sonar.
   [[nodiscard]] bool is_scan() const { return recording_ && recording_->beam_count() <= 2; }
+  [[nodiscard]] std::size_t beam_count() const {  ///< Only for a recording.
+    return static_cast<std::size_t>(recording_->beam_count());
+  }
   [[nodiscard]] std::uint64_t ping_count() const { return recording_->ping_count(); }  ///< Only for a recording.
 
   /// Largest intensity in some pings of a recording.

@@ -11,6 +11,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 
 #include "console/commands.h"
 #include "console/console.h"
@@ -119,6 +120,31 @@ struct Recorded {
   std::filesystem::path folder;  // For the pictures.
 };
 
+// Options that have no effect on the pictures of a sonar.
+void check_effects(const DrawOptions& options, const RecordedPings& pings, const SonarConfig& sonar) {
+  const PictureOptions& given = options.pictures;
+  const PictureOptions usual;
+  if (sonar.product() == Product::kWaterfall ||
+      (is_foreign(pings) && sonar.beam_count == 1 && sonar.product() != Product::kLine)) {
+    if (given.pictures != usual.pictures && given.pictures != "all" && given.pictures != "none") {
+      complain(fmt::format("note: --pictures {} has no effect on {}: a waterfall shows all pings; --ping chooses them",
+                           given.pictures, sonar.name));
+    }
+    return;
+  }
+  const std::pair<bool, const char*> waterfalls[] = {{given.corrected, "--corrected"},
+                                                     {given.to_scale, "--to-scale"},
+                                                     {given.along != usual.along, "--along"},
+                                                     {given.line.normalised, "--normalise"},
+                                                     {given.line.altitude != usual.line.altitude, "--altitude"},
+                                                     {given.line.first_return.has_value(), "--first-return"}};
+  for (const auto& [is_given, name] : waterfalls) {
+    if (is_given) {
+      throw InputError(fmt::format("{} has no effect on {}, only on waterfalls of side-scan sonars", name, sonar.name));
+    }
+  }
+}
+
 // Opens and checks all input; every failure here is an input error.
 Recorded open_recording(const DrawOptions& options) {
   const std::filesystem::path& file = options.recording;
@@ -129,6 +155,7 @@ Recorded open_recording(const DrawOptions& options) {
       labels.emplace(options);
     }
     const SonarConfig sonar = pings.sonar_config();
+    check_effects(options, pings, sonar);
     const PictureChoice choice = choice_of(options, pings);
     PictureStyle style = is_foreign(pings)
                              ? foreign_style(options, pings, choice)

@@ -1,5 +1,7 @@
 // survey.cpp -- insonify survey plan: what a survey's pattern will fly and cover, before it is run.
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "console/commands.h"
@@ -78,6 +80,9 @@ void print_sonars(const SurveyPlan& plan, const Scenario& scenario) {
 }
 
 int plan(const PlanOptions& options) {
+  if (!options.picture.empty() && options.picture.extension() != ".png") {
+    throw InputError(fmt::format("--output {}: must end in .png", options.picture.string()));
+  }
   return checked_input([&] {
     const Scenario scenario = load_scenario(options.scenario, options.settings, log_to_user(false));
     const Scene scene = load_scene(scenario, log_to_user(false));
