@@ -63,9 +63,14 @@ void add_notes(RecordingInfo& info, const RecordedTables& tables) {
 // A foreign file's sonars, each by its name, so that no note says which was taken.
 void add_sonars(RecordingInfo& info, const std::filesystem::path& path, const std::vector<std::string>& names) {
   for (const std::string& name : names) {
-    const std::unique_ptr<RecordedTables> tables = open_strangers(path, name);
-    info.sonars.push_back(sonar_of(*tables));
-    add_notes(info, *tables);
+    try {
+      const std::unique_ptr<RecordedTables> tables = open_strangers(path, name);
+      info.sonars.push_back(sonar_of(*tables));
+      add_notes(info, *tables);
+    } catch (const Error& error) {  // Channels that the file describes and never uses.
+      const std::string what = error.what(), before = path.string() + ": ";
+      info.notes.push_back(what.starts_with(before) ? what.substr(before.size()) : what);
+    }
   }
 }
 

@@ -209,6 +209,9 @@ TEST(XtfFileTest, PingsOfAnotherSonarAreNotMissing) {
   EXPECT_EQ(info.sonars[1].config.name, "side_scan2");
   EXPECT_EQ(info.sonars[1].pings, 1U);
   EXPECT_THAT(info.notes, ElementsAre());
+  folder.write("unused.xtf", header + xtf_packet(kPing));
+  EXPECT_EQ(recording_info("unused.xtf").sonars.size(), 1U);
+  EXPECT_THAT(recording_info("unused.xtf").notes, ElementsAre("has no ping of side_scan2 in 1 packet"));
   folder.write("cut.xtf", header + xtf_packet(kPing) + second + "\xce\xfa");
   EXPECT_THAT(recording_info("cut.xtf").notes,
               ElementsAre(fmt::format("the file is cut off: its last 2 bytes, from byte {} on, are not a whole packet",
