@@ -132,43 +132,43 @@ TEST(BottomTrackTest, TheEndOfAShadowIsNotTheBottom) {
   expect_altitudes(track_bottom(pings, sonar));
 }
 
-// The sea surface at half the bed's range, 45 dB below the bed, in a silent column: a sharper edge than that of the
-// bed, which rises by 30 dB from nadir to the main lobe.
-TEST(BottomTrackTest, AFaintEchoOfTheSurfaceIsNotTheBottom) {
-  const SonarConfig sonar = side_scan_sonar();
-  std::vector<Ping> pings = line_of(sonar, 120, 105);
+// Levels against range over the bed's first return, r / h, in a silent column; both sides have speckle of their own.
+template <typename LevelDb>
+std::vector<Ping> line_of_levels(const SonarConfig& sonar, const LevelDb& level_db) {
   std::mt19937 random(5);
   std::exponential_distribution<double> speckle(1);
-  for (Ping& ping : pings) {
-    const double own = altitude_at(static_cast<int>(ping.number)), surface = 0.5 * own;
+  std::vector<Ping> pings;
+  for (int number = 0; number < 120; ++number) {
+    Ping& ping = pings.emplace_back(dark_ping(sonar, static_cast<std::uint64_t>(number)));
     for (int bin = 0; bin < sonar.bin_count; ++bin) {
-      const double range = sonar.bin_range(bin), gain = std::pow(range / own, 3);  // Time-varied, 30 log r.
-      for (int beam = 0; beam < sonar.beam_count; ++beam) {
-        float& intensity = ping.intensity[ping.index(bin, beam)];
-        const double echo = range >= surface ? std::pow(10, -4.5) * std::pow(surface / range, 3) * speckle(random) : 0;
-        const double lobe = std::pow(10, -3 * std::clamp((1.4 - range / own) / 0.4, 0.0, 1.0));
-        intensity = static_cast<float>((double{intensity} * lobe + echo) * gain);
+      const double level = std::pow(10, level_db(sonar.bin_range(bin) / altitude_at(number)) / 10);
+      for (const int beam : {0, 1}) {
+        ping.intensity[ping.index(bin, beam)] = static_cast<float>(level * speckle(random));
       }
     }
   }
-  expect_altitudes(track_bottom(pings, sonar));
+  return pings;
 }
 
-// A bed that is 18 dB fainter at nadir than abeam, where the main lobe looks: its first return is still the bottom.
+// The sea surface is heard from half of the bed's range on, 45 to 32 dB below the bed, which rises by 22 dB from nadir
+// to the main lobe: the surface is the sharper edge.
+TEST(BottomTrackTest, AFaintEchoOfTheSurfaceIsNotTheBottom) {
+  const SonarConfig sonar = side_scan_sonar();
+  const auto level_db = [](double ratio) {
+    return ratio < 0.5 ? -90 : ratio < 1 ? -45 + 13 * (ratio - 0.5) / 0.5 : -22 + 22 * std::min(1.0, (ratio - 1) / 0.8);
+  };
+  expect_altitudes(track_bottom(line_of_levels(sonar, level_db), sonar), 1);
+}
+
+// A bed that is 30 dB fainter at nadir than in the main lobe, in noise that rises by 30 log r: its first return is
+// still the bottom.
 TEST(BottomTrackTest, ABedBelowTheMainLobeIsTheBottom) {
   const SonarConfig sonar = side_scan_sonar();
-  std::vector<Ping> pings = line_of(sonar, 120, 40);
-  for (Ping& ping : pings) {
-    const double own = altitude_at(static_cast<int>(ping.number));
-    for (int bin = 0; bin < sonar.bin_count; ++bin) {
-      const double range = sonar.bin_range(bin), lobe = range > 1.3 * own ? 1 : std::pow(10, -1.8);
-      const double gain = std::pow(range / own, 3);
-      for (int beam = 0; beam < sonar.beam_count; ++beam) {
-        ping.intensity[ping.index(bin, beam)] *= static_cast<float>(range >= own ? lobe * gain : gain);
-      }
-    }
-  }
-  expect_altitudes(track_bottom(pings, sonar));
+  const auto level_db = [](double ratio) {
+    const double noise = -45 + 30 * std::log10(std::min(ratio, 1.0));
+    return ratio < 1 ? noise : -30 + 30 * std::min(1.0, (ratio - 1) / 0.4);
+  };
+  expect_altitudes(track_bottom(line_of_levels(sonar, level_db), sonar), 2 * kWithin);
 }
 
 // Ten pings of noise alone: the track goes on between those around them, and says that it guesses.
