@@ -32,8 +32,8 @@ class BottomDetector {
   /// @throws Error for a sonar that is not a multibeam, and for options out of limits.
   explicit BottomDetector(const SonarConfig& sonar, const BottomDetectionOptions& options = {});
 
-  /// The bottom in each beam; not found where no echo is 10 dB above the beam's median, where one is cut by the first or
-  /// the last bin, and where a beam looks up.
+  /// The bottom in each beam; not found where no echo is 10 dB above the beam's median, where one is cut by the first
+  /// or the last bin, and where a beam looks up.
   /// @throws Error for a ping of another shape than the sonar's.
   [[nodiscard]] std::vector<Sounding> detect(const Ping& ping) const;
 
