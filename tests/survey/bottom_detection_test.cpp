@@ -230,7 +230,7 @@ TEST(BottomDetectionTest, IsNotCaughtByTheRing) {
 TEST(BottomDetectionTest, FindsWhatIsAtTheEndOfTheRange) {
   const SonarConfig sonar = multibeam();
   const Ping ping = ping_of(
-      sonar, [](double a) { return std::abs(a) < 5 * kDegree    ? 60.45
+      sonar, [](double a) { return std::abs(a) < 5 * kDegree    ? 60.3
                                    : std::abs(a) > 30 * kDegree ? 58.0
                                                                 : 1000.0; },
       1.2 * kDegree, 1e-4, 12);
