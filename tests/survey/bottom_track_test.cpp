@@ -168,7 +168,7 @@ TEST(BottomTrackTest, ABedBelowTheMainLobeIsTheBottom) {
     const double noise = -45 + 30 * std::log10(std::min(ratio, 1.0));
     return ratio < 1 ? noise : -30 + 30 * std::min(1.0, (ratio - 1) / 0.4);
   };
-  expect_altitudes(track_bottom(line_of_levels(sonar, level_db), sonar), 2 * kWithin);
+  expect_altitudes(track_bottom(line_of_levels(sonar, level_db), sonar), 1);
 }
 
 // Ten pings of noise alone: the track goes on between those around them, and says that it guesses.
