@@ -17,7 +17,7 @@ constexpr double kDeepestDb = 60;  // Below the median level.
 constexpr int kLevelSteps = 64;    // Classes of the histogram.
 constexpr double kLeastSpreadDb = 1;
 constexpr double kGainPerDecadeDb = 30;
-constexpr double kFaintDb = 30;      // A bed's first return may be this far below what follows it.
+constexpr double kFaintDb = 35;      // A bed's first return may be this far below what follows it.
 constexpr double kFaintDecayDb = 5;  // What is fainter by this more loses a factor e of its score.
 
 // Mean intensities of the cells of one beam.

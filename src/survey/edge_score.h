@@ -37,7 +37,7 @@ struct RangeCells {
 /// before to the one behind, less the 30 dB a decade of range that time-varied gain may make of a water column, over
 /// the sum of their standard deviations and 1 dB. e is the share of all cells before, from `lead` on, that are darker
 /// than the middle of the step: the first edge counts, not one behind a shadow, and a fish before it does not. f is 1,
-/// and falls by a factor e every 5 dB, where the window behind is more than 30 dB below the upper quartile of all
+/// and falls by a factor e every 5 dB, where the window behind is more than 35 dB below the upper quartile of all
 /// levels from there on: so faint an edge is an echo of the surface, not the bed.
 /// @param lead  First cell of the water column.
 [[nodiscard]] std::vector<float> edge_scores(const std::vector<float>& levels, const RangeCells& cells, int lead);
